@@ -1,0 +1,77 @@
+#pragma once
+
+#include "case/parameters.hpp"
+#include "measure/snapshot.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vesica {
+
+/// A field on a box of cells, z slowest, then y, x, components fastest.
+struct DenseField {
+    Vec3<int> size{};
+    int components = 1;
+    std::vector<double> values;
+};
+
+/// The first sign of a run going wrong.
+struct Trouble {
+    std::int64_t step = 0;
+    Vec3<int> cell{};
+    int vesicle = -1;      ///< -1: not in a vesicle's layer
+    std::string cause;     ///< density, speed, force or tension, with the number found and the one expected
+};
+
+/// Everything that must be kept to continue bit for bit. Arrays are in canonical order (z, y, x), independent
+/// of threads, ranks and instruction sets.
+struct EngineState {
+    std::int64_t step = 0;
+    Precision precision = Precision::double_precision;
+    Vec3<int> size{};
+    std::vector<std::vector<double>> populations; ///< 19 x cells, f_i - t_i rho0
+    std::vector<double> minority;       ///< signed minority colour fraction per cell
+    std::vector<std::uint8_t> band;     ///< per cell: bit 0 core at the last rebuild, bit 1 inside (red) side
+    std::vector<double> controllers;    ///< area constraint state, vesicle by vesicle
+};
+
+/// One running simulation in one precision on one instruction set. Its implementation is chosen once, at
+/// construction; a call per step is the only indirection.
+class Engine {
+public:
+    Engine() = default;
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+    virtual ~Engine() = default;
+
+    virtual void step() = 0;
+    virtual std::int64_t steps_done() const = 0;
+
+    virtual Snapshot snapshot() const = 0;
+
+    /// `name` is one of field_names(): phase, density, velocity, pressure, force, mean_curvature,
+    /// gaussian_curvature, ... ; whole box. Quantities that exist near the interface only are 0 elsewhere.
+    virtual DenseField field(std::string_view name) const = 0;
+
+    /// Looks for NaN or runaway values; cheap enough to be called every hundred steps.
+    virtual std::optional<Trouble> trouble() const = 0;
+
+    virtual EngineState save() const = 0;
+    virtual void load(const EngineState& state) = 0;
+
+    virtual std::size_t bytes_allocated() const = 0;
+    virtual double interface_fraction() const = 0; ///< cells worked on near interfaces / all cells
+    virtual std::string_view instruction_set() const = 0;
+};
+
+const std::vector<std::string>& field_names();
+
+/// Builds the engine for these parameters and fills it with the initial state.
+/// `instruction_set` is empty for the best one this machine has, or baseline, avx2, avx512.
+std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads, std::string_view instruction_set = {});
+
+} // namespace vesica
