@@ -1,5 +1,7 @@
 #pragma once
 
+#include "case/dense_field.hpp"
+#include "case/engine_state.hpp"
 #include "case/parameters.hpp"
 #include "measure/snapshot.hpp"
 
@@ -12,31 +14,12 @@
 
 namespace vesica {
 
-/// A field on a box of cells, z slowest, then y, x, components fastest.
-struct DenseField {
-    Vec3<int> size{};
-    int components = 1;
-    std::vector<double> values;
-};
-
 /// The first sign of a run going wrong.
 struct Trouble {
     std::int64_t step = 0;
     Vec3<int> cell{};
     int vesicle = -1;      ///< -1: not in a vesicle's layer
     std::string cause;     ///< density, speed, force or tension, with the number found and the one expected
-};
-
-/// Everything that must be kept to continue bit for bit. Arrays are in canonical order (z, y, x), independent
-/// of threads, ranks and instruction sets.
-struct EngineState {
-    std::int64_t step = 0;
-    Precision precision = Precision::double_precision;
-    Vec3<int> size{};
-    std::vector<std::vector<double>> populations; ///< 19 x cells, f_i - t_i rho0
-    std::vector<double> minority;       ///< signed minority colour fraction per cell
-    std::vector<std::uint8_t> band;     ///< per cell: bit 0 core at the last rebuild, bit 1 inside (red) side
-    std::vector<double> controllers;    ///< area constraint state, vesicle by vesicle
 };
 
 /// One running simulation in one precision on one instruction set. Its implementation is chosen once, at
