@@ -1,0 +1,27 @@
+# Every library Vesica is built from, in one place. The installed package reads this file too.
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(MPI REQUIRED COMPONENTS C)
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+# xxHash comes without a CMake package.
+if(NOT TARGET xxhash::xxhash)
+    find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+    find_library(XXHASH_LIBRARY xxhash REQUIRED)
+    mark_as_advanced(XXHASH_INCLUDE_DIR XXHASH_LIBRARY)
+    add_library(xxhash::xxhash UNKNOWN IMPORTED)
+    set_target_properties(xxhash::xxhash PROPERTIES
+        IMPORTED_LOCATION "${XXHASH_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${XXHASH_INCLUDE_DIR}")
+endif()
+
+set(VESICA_DEPENDENCIES
+    OpenMP::OpenMP_CXX MPI::MPI_C hdf5::hdf5 Eigen3::Eigen fmt::fmt spdlog::spdlog
+    tomlplusplus::tomlplusplus CLI11::CLI11 nlohmann_json::nlohmann_json xxhash::xxhash)
+# mpi.h, read by the parallel hdf5.h, would otherwise bring MPI's abandoned C++ bindings.
+set(VESICA_DEPENDENCY_DEFINITIONS OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
