@@ -45,7 +45,10 @@ struct VesicleSnapshot {
     std::vector<InterfaceCell> cells;
     std::vector<InsideSpan> inside;
     double beta = 0.67;
-    double layer_moment = 0.0;         ///< calibrated <s^2> of the layer at this beta, cells^2
+    double layer_moment = 0.0;         ///< calibrated <s^2> of the layer at this beta, cells^2 (LayerMoments::area)
+    /// The same for sums of (1 + phi)/2 (LayerMoments::volume); NaN: equal to layer_moment, as for a tanh.
+    double volume_moment = std::numeric_limits<double>::quiet_NaN();
+    Vec3<double> momentum{};           ///< exact sum of rho_k u over this vesicle's colour
     double bending_modulus = 0.0;
     double spontaneous_curvature = 0.0;
     double tension = 0.0;              ///< sigma plus the constraint's
