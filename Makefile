@@ -1,0 +1,45 @@
+# Only delegates: to tools/, to the CMake presets, to ninja.
+PRESET ?= release
+PREFIX ?= /usr/local
+CASE ?= cases/discocyte.toml
+OUT ?= out/$(basename $(notdir $(CASE)))
+
+.PHONY: help setup build demo test check-deep install format clean
+
+help:
+	@echo "make demo                 install what is missing, build, run $(CASE), plot it"
+	@echo "make test                 the same set-up, then all tests"
+	@echo "make build                build only; no root, nothing installed"
+	@echo "make check-deep           format, lint, sanitizers and the second compiler"
+	@echo "make install PREFIX=...   program, library, CMake package, man page, completion"
+	@echo "make format               lay out the sources with clang-format"
+	@echo "make clean                remove build/ and out/"
+	@echo "PRESET=... chooses another build: $(shell sed -n 's/.*{"name": "\([a-z0-9]*\)", "configurePreset".*/\1/p' CMakePresets.json | tr '\n' ' ')"
+
+setup:
+	@tools/install-dependencies
+
+build:
+	@cmake --preset $(PRESET) --log-level=WARNING
+	@cmake --build --preset $(PRESET)
+
+demo: setup
+	@$(MAKE) --no-print-directory build
+	build/$(PRESET)/bin/vesica run $(CASE) -o $(OUT) --overwrite
+	tools/plot-run $(OUT)
+
+test: setup
+	@$(MAKE) --no-print-directory build
+	ctest --preset $(PRESET)
+
+check-deep: setup
+	@tools/check-deep
+
+install: build
+	cmake --install build/$(PRESET) --prefix $(PREFIX)
+
+format:
+	@tools/format
+
+clean:
+	rm -rf build out

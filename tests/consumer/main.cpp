@@ -1,0 +1,7 @@
+#include "core/version.hpp"
+
+#include <iostream>
+
+int main() {
+    std::cout << "built against vesica " << vesica::version << '\n';
+}
