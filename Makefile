@@ -9,8 +9,8 @@ OUT ?= out/$(basename $(notdir $(CASE)))
 help:
 	@echo "make demo                 install what is missing, build, run $(CASE), plot it"
 	@echo "make test                 the same set-up, then all tests"
-	@echo "make build                build only; no root, nothing installed"
-	@echo "make check-deep           format, lint, sanitizers and the second compiler"
+	@echo "make build                the same set-up, stops after building"
+	@echo "make check-deep           layout, sanitizers, the second compiler, lint"
 	@echo "make install PREFIX=...   program, library, CMake package, man page, completion"
 	@echo "make format               lay out the sources with clang-format"
 	@echo "make clean                remove build/ and out/"
@@ -19,17 +19,15 @@ help:
 setup:
 	@tools/install-dependencies
 
-build:
+build: setup
 	@cmake --preset $(PRESET) --log-level=WARNING
 	@cmake --build --preset $(PRESET)
 
-demo: setup
-	@$(MAKE) --no-print-directory build
+demo: build
 	build/$(PRESET)/bin/vesica run $(CASE) -o $(OUT) --overwrite
 	tools/plot-run $(OUT)
 
-test: setup
-	@$(MAKE) --no-print-directory build
+test: build
 	ctest --preset $(PRESET)
 
 check-deep: setup

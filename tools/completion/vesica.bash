@@ -1,0 +1,40 @@
+# Completion of vesica for bash: commands, options, case files, templates.
+
+_vesica() {
+    local current=$2 previous=$3 command=${COMP_WORDS[1]}
+    COMPREPLY=()
+    if [[ $COMP_CWORD -eq 1 ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "run check new info bench --help --version" -- "$current")
+        return
+    fi
+    case $previous in
+        -o | --output)
+            if [[ $command == run ]]; then
+                mapfile -t COMPREPLY < <(compgen -d -- "$current")
+            else
+                mapfile -t COMPREPLY < <(compgen -f -- "$current")
+            fi
+            return
+            ;;
+        --set | --threads | --steps) return ;;
+    esac
+    local options="--help"
+    case $command in
+        run) options="--output --set --threads --steps --overwrite --help" ;;
+        check) options="--set --model --help" ;;
+        new) options="--list --output --help" ;;
+        bench) options="--json --help" ;;
+        info) ;;
+        *) return ;;
+    esac
+    if [[ $current == -* ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
+        return
+    fi
+    case $command in
+        run | check) mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -X '!*.toml' -- "$current") ;;
+        new) mapfile -t COMPREPLY < <(compgen -W "$(vesica new --list 2>/dev/null | awk '{ print $1 }')" -- "$current") ;;
+        info) mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
+    esac
+}
+complete -o filenames -F _vesica vesica
