@@ -1,0 +1,44 @@
+#include "io/block_digest.hpp"
+
+#include "core/input_error.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+#include <xxhash.h>
+
+namespace vesica {
+
+Digest digest_of(std::string_view bytes)
+{
+    XXH128_canonical_t canonical;
+    XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
+    Digest digest;
+    static_assert(sizeof(canonical.digest) == std::tuple_size_v<Digest>);
+    std::memcpy(digest.data(), canonical.digest, digest.size());
+    return digest;
+}
+
+Digest combine_digests(std::span<const Digest> blocks)
+{
+    return digest_of({reinterpret_cast<const char*>(blocks.data()), blocks.size_bytes()});
+}
+
+Digest digest_of_file(const FileDescriptor& file, std::uint64_t offset, std::uint64_t length,
+                      const std::filesystem::path& path)
+{
+    std::vector<Digest> blocks;
+    std::string buffer(static_cast<std::size_t>(std::min(length, digest_block_bytes)), '\0');
+    for (std::uint64_t done = 0; done < length;) {
+        const auto count = static_cast<std::size_t>(std::min(length - done, digest_block_bytes));
+        if (read_at(file, offset + done, buffer.data(), count, path) != count)
+            throw RunError(fmt::format("{}: became shorter while it was read", path.string()));
+        blocks.push_back(digest_of({buffer.data(), count}));
+        done += count;
+    }
+    return combine_digests(blocks);
+}
+
+} // namespace vesica

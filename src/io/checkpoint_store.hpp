@@ -1,0 +1,38 @@
+#pragma once
+
+#include "io/checkpoint.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vesica {
+
+/// DIR/checkpoints: step_<n>.h5, of which the newest `keep` stay.
+class CheckpointStore {
+public:
+    /// Creates the directory if needed. Throws RunError.
+    CheckpointStore(std::filesystem::path directory, int keep);
+
+    /// Writes, and only then removes older checkpoints beyond the `keep` newest up to this step. Those of later
+    /// steps (a resumed run went back behind damaged ones) do not count and stay until they are written anew.
+    /// Returns the file. Throws RunError.
+    std::filesystem::path write(const Checkpoint& checkpoint) const;
+
+private:
+    std::filesystem::path directory_;
+    int keep_;
+};
+
+struct IntactCheckpoint {
+    Checkpoint checkpoint;
+    std::filesystem::path path;
+    std::vector<std::string> refused; ///< newer ones that could not serve: file and reason each
+};
+
+/// The newest checkpoint whose digest is right. Throws RunError with every reason when there is none.
+IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory);
+
+std::filesystem::path checkpoint_path(const std::filesystem::path& directory, std::int64_t step);
+
+} // namespace vesica
