@@ -39,22 +39,24 @@ constexpr std::array<DimensionWords, 19> words{{
     {dimension::tension_per_area_squared, "tension per area squared", "N/m^5", "1e15 N/m^5"},
 }};
 
-const DimensionWords* find_words(const Dimension& dimension)
-{
+const DimensionWords* find_words(const Dimension& dimension) {
     for (const DimensionWords& entry : words) {
-        if (entry.dimension == dimension) return &entry;
+        if (entry.dimension == dimension)
+            return &entry;
     }
     return nullptr;
 }
 
-std::string exponents(const Dimension& dimension)
-{
+std::string exponents(const Dimension& dimension) {
     std::string text;
     const auto add = [&text](std::string_view symbol, int exponent) {
-        if (exponent == 0) return;
-        if (!text.empty()) text += ' ';
+        if (exponent == 0)
+            return;
+        if (!text.empty())
+            text += ' ';
         text += symbol;
-        if (exponent != 1) text += fmt::format("^{}", exponent);
+        if (exponent != 1)
+            text += fmt::format("^{}", exponent);
     };
     add("kg", dimension.mass);
     add("m", dimension.length);
@@ -65,41 +67,38 @@ std::string exponents(const Dimension& dimension)
 } // namespace
 
 QuantityError::QuantityError(std::string_view text, const std::string& advice)
-    : InputError(fmt::format("\"{}\" is no quantity; {}", text, advice)), advice_(advice)
-{
-}
+    : InputError(fmt::format("\"{}\" is no quantity; {}", text, advice)), advice_(advice) {}
 
-std::string dimension_name(const Dimension& dimension)
-{
+std::string dimension_name(const Dimension& dimension) {
     const DimensionWords* entry = find_words(dimension);
     return entry ? std::string(entry->name) : exponents(dimension);
 }
 
-std::string si_unit(const Dimension& dimension)
-{
+std::string si_unit(const Dimension& dimension) {
     const DimensionWords* entry = find_words(dimension);
     return entry ? std::string(entry->unit) : exponents(dimension);
 }
 
-std::string example_quantity(const Dimension& dimension)
-{
+std::string example_quantity(const Dimension& dimension) {
     const DimensionWords* entry = find_words(dimension);
     return entry ? std::string(entry->example) : "1 " + exponents(dimension);
 }
 
-std::string to_text(const Quantity& quantity)
-{
+std::string to_text(const Quantity& quantity) {
     const std::string unit = si_unit(quantity.dimension);
-    if (unit.empty()) return fmt::format("{:.6g}", quantity.value);
+    if (unit.empty())
+        return fmt::format("{:.6g}", quantity.value);
     // Only a unit that stands alone and to the first power takes a prefix: mm^2 would read as (mm)^2.
     const bool prefixed = quantity.dimension == dimension::length || quantity.dimension == dimension::time ||
-                          quantity.dimension == dimension::velocity || quantity.dimension == dimension::pressure ||
+                          quantity.dimension == dimension::velocity ||
+                          quantity.dimension == dimension::pressure ||
                           quantity.dimension == dimension::dynamic_viscosity;
     struct Prefix {
         double factor;
         std::string_view symbol;
     };
-    constexpr std::array<Prefix, 5> prefixes{{{1.0, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}}};
+    constexpr std::array<Prefix, 5> prefixes{
+        {{1.0, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}}};
     const double magnitude = std::abs(quantity.value);
     if (prefixed && magnitude >= 1e-12 && magnitude < 1e3) {
         for (const Prefix& prefix : prefixes) {

@@ -14,12 +14,10 @@ struct Dimension {
     int mass = 0;
 
     friend constexpr bool operator==(const Dimension&, const Dimension&) = default;
-    friend constexpr Dimension operator*(const Dimension& a, const Dimension& b)
-    {
+    friend constexpr Dimension operator*(const Dimension& a, const Dimension& b) {
         return {a.length + b.length, a.time + b.time, a.mass + b.mass};
     }
-    friend constexpr Dimension operator/(const Dimension& a, const Dimension& b)
-    {
+    friend constexpr Dimension operator/(const Dimension& a, const Dimension& b) {
         return {a.length - b.length, a.time - b.time, a.mass - b.mass};
     }
 };
@@ -53,7 +51,8 @@ std::string dimension_name(const Dimension& dimension);
 /// The SI unit in which quantities of this dimension are written ("Pa s"); empty for a pure number.
 std::string si_unit(const Dimension& dimension);
 
-/// A quantity such as a user would type it, to show in messages: "3.9 um" for a length, "2e-19 J" for an energy.
+/// A quantity such as a user would type it, to show in messages: "3.9 um" for a length, "2e-19 J" for an
+/// energy.
 std::string example_quantity(const Dimension& dimension);
 
 /// A number in SI base units (m, s, kg) with its dimension; lattice numbers are plain doubles.
@@ -77,9 +76,9 @@ private:
 };
 
 /// Reads a number and its unit: "3.9 um", "100 1/s", "1.2 mPa s", "0.25 µm", "1000 kg/m^3", "2 h".
-/// Units: m s kg g N Pa J Hz L P(oise) dyn erg with the prefixes a f p n u µ m c d k M G T; min h; products by a
-/// space, `*` or `·`, quotients by `/` (which divides by the next unit only, so that a product after it needs
-/// parentheses), powers by `^` or one superscript digit. Throws QuantityError.
+/// Units: m s kg g N Pa J Hz L P(oise) dyn erg with the prefixes a f p n u µ m c d k M G T; min h; products
+/// by a space, `*` or `·`, quotients by `/` (which divides by the next unit only, so that a product after it
+/// needs parentheses), powers by `^` or one superscript digit. Throws QuantityError.
 Quantity parse_quantity(std::string_view text);
 
 /// The quantity in readable units, six digits: "3.9 um", "1.2 mPa s", "2e-19 J".

@@ -49,53 +49,57 @@ constexpr std::array<std::pair<std::string_view, double>, 14> prefixes{{
 }};
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 24> misspellings{{
-    {"sec", "s"},        {"second", "s"},       {"seconds", "s"},     {"minute", "min"},   {"minutes", "min"},
-    {"hr", "h"},         {"hour", "h"},         {"hours", "h"},       {"micron", "um"},    {"microns", "um"},
-    {"micrometer", "um"}, {"micrometre", "um"}, {"meter", "m"},       {"metre", "m"},      {"meters", "m"},
-    {"metres", "m"},     {"newton", "N"},       {"pascal", "Pa"},     {"joule", "J"},      {"joules", "J"},
-    {"hertz", "Hz"},     {"poise", "P"},        {"liter", "L"},       {"litre", "L"},
+    {"sec", "s"},         {"second", "s"},      {"seconds", "s"}, {"minute", "min"}, {"minutes", "min"},
+    {"hr", "h"},          {"hour", "h"},        {"hours", "h"},   {"micron", "um"},  {"microns", "um"},
+    {"micrometer", "um"}, {"micrometre", "um"}, {"meter", "m"},   {"metre", "m"},    {"meters", "m"},
+    {"metres", "m"},      {"newton", "N"},      {"pascal", "Pa"}, {"joule", "J"},    {"joules", "J"},
+    {"hertz", "Hz"},      {"poise", "P"},       {"liter", "L"},   {"litre", "L"},
 }};
 
-std::optional<Unit> plain_unit(std::string_view symbol, bool with_prefix)
-{
-    if (symbol == "l") symbol = "L";
+std::optional<Unit> plain_unit(std::string_view symbol, bool with_prefix) {
+    if (symbol == "l")
+        symbol = "L";
     for (const NamedUnit& unit : units) {
-        if (unit.symbol == symbol && (unit.takes_prefix || !with_prefix)) return Unit{unit.factor, unit.dimension};
+        if (unit.symbol == symbol && (unit.takes_prefix || !with_prefix))
+            return Unit{unit.factor, unit.dimension};
     }
     return std::nullopt;
 }
 
-std::string lower(std::string_view word)
-{
+std::string lower(std::string_view word) {
     std::string result;
-    for (const char c : word) result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char c : word)
+        result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return result;
 }
 
 } // namespace
 
-std::optional<Unit> find_unit(std::string_view symbol)
-{
-    if (auto unit = plain_unit(symbol, false)) return unit; // "min" is a minute, never a milli-inch
+std::optional<Unit> find_unit(std::string_view symbol) {
+    if (auto unit = plain_unit(symbol, false))
+        return unit; // "min" is a minute, never a milli-inch
     for (const auto& [prefix, factor] : prefixes) {
-        if (!symbol.starts_with(prefix)) continue;
+        if (!symbol.starts_with(prefix))
+            continue;
         if (auto unit = plain_unit(symbol.substr(prefix.size()), true)) {
             // 1e-3 * 1e3 would be exact, 1e-6 * 1e-3 is not: kilograms are the base and must stay so.
-            if (unit->dimension == dimension::mass && factor == 1e3) return Unit{1.0, dimension::mass};
+            if (unit->dimension == dimension::mass && factor == 1e3)
+                return Unit{1.0, dimension::mass};
             return Unit{unit->factor * factor, unit->dimension};
         }
     }
     return std::nullopt;
 }
 
-std::string meant_unit(std::string_view word)
-{
+std::string meant_unit(std::string_view word) {
     const std::string small = lower(word);
     for (const auto& [wrong, right] : misspellings) {
-        if (small == wrong) return std::string(right);
+        if (small == wrong)
+            return std::string(right);
     }
     for (const NamedUnit& unit : units) {
-        if (lower(unit.symbol) == small) return std::string(unit.symbol);
+        if (lower(unit.symbol) == small)
+            return std::string(unit.symbol);
     }
     for (const auto& [prefix, factor] : prefixes) {
         for (const NamedUnit& unit : units) {
@@ -106,8 +110,7 @@ std::string meant_unit(std::string_view word)
     return {};
 }
 
-std::string_view known_units()
-{
+std::string_view known_units() {
     return "m, s, kg, g, N, Pa, J, Hz, L, P, dyn, erg with a prefix, min and h";
 }
 

@@ -17,7 +17,8 @@ struct Unit {
 /// The unit of that symbol, with or without a prefix ("um", "mPa", "min"); nothing when it is not known.
 std::optional<Unit> find_unit(std::string_view symbol);
 
-/// The symbol somebody meant who wrote `word` ("sec" -> "s", "micron" -> "um", "pa" -> "Pa"); empty if unclear.
+/// The symbol somebody meant who wrote `word` ("sec" -> "s", "micron" -> "um", "pa" -> "Pa"); empty if
+/// unclear.
 std::string meant_unit(std::string_view word);
 
 /// The units that are known, for messages.
