@@ -3,6 +3,7 @@
 #include "core/vec3.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,27 +11,42 @@
 #include <vector>
 
 /// A case in lattice units (cell = step = 1): what the simulation is built from. No files, no SI units, no
-/// places in the input: `case/description.hpp` and `io` take care of those.
+/// places in the input: `case/case.hpp` and `io` take care of those.
 namespace vesica {
 
+struct TriangleMesh; // case/triangle_mesh.hpp
+
 /// Relaxation of the ghost modes in the t-orthogonal basis, where every ghost equilibrium is zero.
-struct RegularisedGhosts {};  ///< all ghost rates one
-struct TrtGhosts {            ///< even ghosts relax like the stress; odd ones by the magic number
+/// All ghost rates one
+struct RegularisedGhosts {
+    friend bool operator==(const RegularisedGhosts&, const RegularisedGhosts&) = default;
+};
+/// Even ghosts relax like the stress; odd ones by the magic number
+struct TrtGhosts {
     double magic = 0.1875;
+
+    friend bool operator==(const TrtGhosts&, const TrtGhosts&) = default;
 };
 struct SymmetricGhosts {      ///< free rates, one per cubic family of ghost modes
     double even_scalar = 1.0; ///< 3c^4 - 6c^2 + 1
     double even_tensor = 1.0; ///< (2c^2 - 3)(3c_x^2 - c^2), (2c^2 - 3)(c_y^2 - c_z^2)
     double odd_vector = 1.0;  ///< (3c^2 - 5) c_a
     double odd_twist = 1.0;   ///< (c_y^2 - c_z^2) c_x and cyclic
+
+    friend bool operator==(const SymmetricGhosts&, const SymmetricGhosts&) = default;
 };
-struct PaperGhosts {          ///< the basis of Spendlove et al. 2021, Table VI (corrected)
+struct PaperGhosts { ///< the basis of Spendlove et al. 2021, Table VI (corrected)
     double l10 = 1.0;
     double l11 = 1.0;
     double l14 = 1.0;
     double l17 = 1.0;
+
+    friend bool operator==(const PaperGhosts&, const PaperGhosts&) = default;
 };
-struct BgkGhosts {};          ///< every mode relaxes with the stress' rate
+/// Every mode relaxes with the stress' rate
+struct BgkGhosts {
+    friend bool operator==(const BgkGhosts&, const BgkGhosts&) = default;
+};
 
 using GhostRates = std::variant<RegularisedGhosts, TrtGhosts, SymmetricGhosts, PaperGhosts, BgkGhosts>;
 
@@ -39,35 +55,55 @@ struct FluidParameters {
     double density = 1.0;                   ///< reference density of both fluids
     double segregation = 0.67;              ///< beta; interface half-width 1/beta
     GhostRates ghosts = RegularisedGhosts{};
+
+    friend bool operator==(const FluidParameters&, const FluidParameters&) = default;
 };
 
 struct HelfrichBending {
     double spontaneous_curvature = 0.0; ///< C0, 1/cells; E = (kappa/2) int (2H - C0)^2 dA
+
+    friend bool operator==(const HelfrichBending&, const HelfrichBending&) = default;
 };
 struct PaperBending {
     double laplacian_coefficient = 1.5; ///< c in kappa_B (c Lap_s H + H^3 - HK), kappa_B = 4 kappa
+
+    friend bool operator==(const PaperBending&, const PaperBending&) = default;
 };
 
 struct BendingParameters {
     double modulus = 0.0; ///< kappa (Helfrich); the paper's kappa_B is 4 kappa
     std::variant<HelfrichBending, PaperBending> form = HelfrichBending{};
+
+    friend bool operator==(const BendingParameters&, const BendingParameters&) = default;
 };
 
-struct NoConstraint {};
-struct MultiplierConstraint {}; ///< sigma_A holds A = A_target(t)
+struct NoConstraint {
+    friend bool operator==(const NoConstraint&, const NoConstraint&) = default;
+};
+/// sigma_A holds A = A_target(t)
+struct MultiplierConstraint {
+    friend bool operator==(const MultiplierConstraint&, const MultiplierConstraint&) = default;
+};
 struct PenaltyConstraint {
-    double modulus = 0.0;       ///< K_A: sigma_A = K_A (A - A_target)/A_target
+    double modulus = 0.0; ///< K_A: sigma_A = K_A (A - A_target)/A_target
+
+    friend bool operator==(const PenaltyConstraint&, const PenaltyConstraint&) = default;
 };
 struct PaperConstraint {
-    double alpha = 0.0;         ///< sigma_A = (alpha/2) A (A - A_target)
+    double alpha = 0.0; ///< sigma_A = (alpha/2) A (A - A_target)
+
+    friend bool operator==(const PaperConstraint&, const PaperConstraint&) = default;
 };
 
 struct AreaParameters {
     std::variant<NoConstraint, MultiplierConstraint, PenaltyConstraint, PaperConstraint> constraint =
         MultiplierConstraint{};
-    /// A_target over the area of the sphere of equal volume at the end of the ramp; absent: keep the initial area.
+    /// A_target over the area of the sphere of equal volume at the end of the ramp; absent: keep the initial
+    /// area.
     std::optional<double> deflation;
     std::int64_t ramp = 0; ///< steps from the initial to the target area
+
+    friend bool operator==(const AreaParameters&, const AreaParameters&) = default;
 };
 
 struct VesicleType {
@@ -75,38 +111,56 @@ struct VesicleType {
     double viscosity_ratio = 1.0; ///< inner / outer
     BendingParameters bending;
     AreaParameters area;
-    double sigma = 0.0;           ///< constant tension
+    double sigma = 0.0; ///< constant tension
+
+    friend bool operator==(const VesicleType&, const VesicleType&) = default;
 };
 
-struct SphereShape {};
+struct SphereShape {
+    friend bool operator==(const SphereShape&, const SphereShape&) = default;
+};
 struct SpheroidShape {
     double aspect = 1.0; ///< length along the axis / width
+
+    friend bool operator==(const SpheroidShape&, const SpheroidShape&) = default;
 };
 enum class HelfrichBranch { discocyte, prolate, stomatocyte };
-struct HelfrichShape {   ///< exact axisymmetric minimiser of the bending energy at C0 = 0
+struct HelfrichShape { ///< exact axisymmetric minimiser of the bending energy at C0 = 0
     HelfrichBranch branch = HelfrichBranch::discocyte;
     double reduced_volume = 0.65;
+
+    friend bool operator==(const HelfrichShape&, const HelfrichShape&) = default;
 };
-struct EvansFungShape {};
+struct EvansFungShape {
+    friend bool operator==(const EvansFungShape&, const EvansFungShape&) = default;
+};
 struct MeshShape {
     std::string file; ///< STL or PLY, closed; scaled to the vesicle's radius when one is given
+    std::shared_ptr<const TriangleMesh> mesh; ///< the file's triangles, in the file's units
+
+    friend bool operator==(const MeshShape& a, const MeshShape& b) { return a.file == b.file; }
 };
 using ShapeParameters = std::variant<SphereShape, SpheroidShape, HelfrichShape, EvansFungShape, MeshShape>;
 
 /// r -> r (1 + amplitude Y_lm) with real spherical harmonics about the vesicle's axis, normalised such that
-/// int Y_lm^2 dOmega = 4 pi / (2 l + 1) (Schmidt), so that Y_20 = P_2(cos theta) and l = 2, m = 0, amplitude a
-/// makes the pole distance R (1 + a).
+/// int Y_lm^2 dOmega = 4 pi / (2 l + 1) (Schmidt), so that Y_20 = P_2(cos theta) and l = 2, m = 0, amplitude
+/// A makes the pole distance R (1 + a).
 struct HarmonicPerturbation {
     int l = 2;
     int m = 0;
     double amplitude = 0.0;
+
+    friend bool operator==(const HarmonicPerturbation&, const HarmonicPerturbation&) = default;
 };
-/// Every harmonic with l in [lowest, highest], coefficients Gaussian with the given seed, of rms total amplitude.
+/// Every harmonic with l in [lowest, highest], coefficients Gaussian with the given seed, of rms total
+/// Amplitude.
 struct RandomPerturbation {
     int lowest = 2;
     int highest = 6;
     double amplitude = 0.0;
     std::uint64_t seed = 1;
+
+    friend bool operator==(const RandomPerturbation&, const RandomPerturbation&) = default;
 };
 using Perturbation = std::variant<HarmonicPerturbation, RandomPerturbation>;
 
@@ -114,9 +168,11 @@ struct VesicleParameters {
     std::size_t type = 0; ///< index into Parameters::types
     ShapeParameters shape = SphereShape{};
     Vec3<double> centre{};
-    double radius = 0.0;  ///< of the sphere of equal volume, cells
+    double radius = 0.0; ///< of the sphere of equal volume, cells
     Vec3<double> axis{0.0, 0.0, 1.0};
     std::vector<Perturbation> perturbations;
+
+    friend bool operator==(const VesicleParameters&, const VesicleParameters&) = default;
 };
 
 enum class GeometryRecipe { mapped, paper };
@@ -126,6 +182,8 @@ struct NumericsParameters {
     GeometryRecipe geometry = GeometryRecipe::mapped;
     double cutoff = 1e-2; ///< forces are tapered to zero below this 1 - phi^2
     Precision precision = Precision::double_precision;
+
+    friend bool operator==(const NumericsParameters&, const NumericsParameters&) = default;
 };
 
 /// Everything that decides the trajectory. Two equal Parameters give the same bits.
@@ -135,18 +193,24 @@ struct Parameters {
     std::vector<VesicleType> types;
     std::vector<VesicleParameters> vesicles;
     NumericsParameters numerics;
+
+    friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
 struct SteadyCriterion {
     std::string quantity; ///< a column of metrics.csv
     double relative_change = 0.0;
     std::int64_t over = 0; ///< steps
+
+    friend bool operator==(const SteadyCriterion&, const SteadyCriterion&) = default;
 };
 
 struct RunParameters {
     std::int64_t steps = 0;
     std::optional<SteadyCriterion> stop_when_steady;
     std::optional<double> wall_time; ///< seconds
+
+    friend bool operator==(const RunParameters&, const RunParameters&) = default;
 };
 
 struct FieldOutput {
@@ -155,7 +219,9 @@ struct FieldOutput {
     Vec3<int> region_begin{}; ///< inclusive
     Vec3<int> region_end{};   ///< exclusive
     int stride = 1;
-    bool average = false;     ///< time average since the last output instead of the instant
+    bool average = false; ///< time average since the last output instead of the instant
+
+    friend bool operator==(const FieldOutput&, const FieldOutput&) = default;
 };
 
 struct OutputParameters {
@@ -164,6 +230,8 @@ struct OutputParameters {
     std::int64_t surfaces_every = 0;
     std::int64_t checkpoint_every = 0;
     int checkpoint_keep = 2;
+
+    friend bool operator==(const OutputParameters&, const OutputParameters&) = default;
 };
 
 } // namespace vesica

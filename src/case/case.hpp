@@ -1,0 +1,45 @@
+#pragma once
+
+#include "case/parameters.hpp"
+#include "core/input_error.hpp"
+#include "core/scales.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vesica {
+
+/// Where the inertia was scaled ([units] reynolds): the lattice keeps the viscosity, the moduli and the times of
+/// the real system, but its fluid is denser by reynolds/true_reynolds.
+struct InertiaScaling {
+    double reynolds = 0.0;      ///< of the lattice, as asked for
+    double true_reynolds = 0.0; ///< of the real system
+    double true_density = 0.0;  ///< kg/m^3, of the real fluid
+
+    friend bool operator==(const InertiaScaling&, const InertiaScaling&) = default;
+};
+
+/// What a case file says, checked, in lattice units, with everything needed to speak of it to its author.
+struct Case {
+    std::string title;
+    Parameters parameters;
+    RunParameters run;
+    OutputParameters output;
+
+    std::optional<Scales> scales;          ///< absent: the case is stated in lattice units only
+    std::optional<InertiaScaling> inertia; ///< only with [units] reynolds
+
+    std::string source_file;
+    std::string source_text;            ///< verbatim, without the overrides
+    std::vector<std::string> overrides; ///< `path=value`, in the order in which they were applied
+    /// Place of every key that was given, by its full path ("vesicle[0].radius"). Keys that are absent have defaults.
+    std::map<std::string, SourcePlace> places;
+    std::vector<std::string> warnings; ///< each with its place, for `check`
+
+    /// The place of a key, or of the nearest table around it that was given, or the file alone.
+    SourcePlace place(const std::string& path) const;
+};
+
+} // namespace vesica

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "geometry/stencil.hpp"
+
+namespace vesica {
+
+/// Mean and Gaussian curvature; H > 0 on a sphere.
+template <class V>
+struct Curvatures {
+    V H{};
+    V K{};
+};
+
+/// From G_ij = d_j n_i alone: W = P G P with P = 1 - n n, H = tr W/2, K = [(tr W)^2 - tr(W W)]/2.
+template <class V>
+[[gnu::always_inline]] inline Curvatures<V> curvatures_of(const Jacobian<V>& G, const Vec3<V>& n)
+{
+    // a_i = n_j d_j n_i and b_j = n_i d_j n_i are zero for exact unit normals along straight lines; on a lattice
+    // the projection takes out what is left of them.
+    const Vec3<V> a{dot(G.x, n), dot(G.y, n), dot(G.z, n)};
+    const Vec3<V> b{fma(G.x.x, n.x, fma(G.y.x, n.y, G.z.x * n.z)), fma(G.x.y, n.x, fma(G.y.y, n.y, G.z.y * n.z)),
+                    fma(G.x.z, n.x, fma(G.y.z, n.y, G.z.z * n.z))};
+    const V c = dot(a, n);
+    const auto project = [&](const V& entry, int i, int j) {
+        return entry - a[i] * n[j] - n[i] * b[j] + n[i] * n[j] * c;
+    };
+    const V xx = project(G.x.x, 0, 0);
+    const V xy = project(G.x.y, 0, 1);
+    const V xz = project(G.x.z, 0, 2);
+    const V yx = project(G.y.x, 1, 0);
+    const V yy = project(G.y.y, 1, 1);
+    const V yz = project(G.y.z, 1, 2);
+    const V zx = project(G.z.x, 2, 0);
+    const V zy = project(G.z.y, 2, 1);
+    const V zz = project(G.z.z, 2, 2);
+    const V trace = xx + yy + zz;
+    const V trace_of_square = xx * xx + yy * yy + zz * zz + V(2) * (xy * yx + xz * zx + yz * zy);
+    return {V(0.5) * trace, V(0.5) * (trace * trace - trace_of_square)};
+}
+
+/// Area of phi = 0 per area of the parallel surface through a cell at signed distance s from it:
+/// J = 1 - 2 s H + s^2 K, exact for parallel surfaces.
+template <class V>
+[[gnu::always_inline]] inline V area_to_mid_surface(const Curvatures<V>& c, const V& s)
+{
+    return fma(s * s, c.K, fma(V(-2) * s, c.H, V(1)));
+}
+
+/// The curvatures of phi = 0 on the normal through a cell: H0 = (H - s K)/J, K0 = K/J.
+template <class V>
+[[gnu::always_inline]] inline Curvatures<V> map_to_mid_surface(const Curvatures<V>& c, const V& s)
+{
+    const V inverse = V(1) / area_to_mid_surface(c, s);
+    return {inverse * fma(-s, c.K, c.H), inverse * c.K};
+}
+
+} // namespace vesica

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "case/parameters.hpp"
+#include "simulation/plan_remarks.hpp"
+#include "simulation/plan_vesicle.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace vesica {
+
+struct PlanOptions {
+    /// Membranes so soft that the recolouring's own resistance is more than a tenth of theirs are refused unless
+    /// their user knows.
+    bool accept_soft_membranes = false;
+};
+
+/// What can be known of a run before its first step.
+struct Plan {
+    std::int64_t cells = 0;
+    double relaxation_time = 1.0;   ///< of the outer fluid: 3 nu + 1/2
+    double interface_width = 0.0;   ///< 2/beta, cells
+    double expected_speed = 0.0;    ///< the fastest of the vesicles' own, cells per step
+    double mach = 0.0;              ///< expected_speed over the speed of sound
+    std::vector<VesiclePlan> vesicles;
+    Remarks remarks;
+};
+
+/// Plans and judges. Throws InputError where the case cannot be built at all (shapes); whatever else `run` refuses
+/// is a remark of severity error.
+Plan make_plan(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
+               const PlanOptions& options = {});
+
+/// Throws InputError with every error the plan found, if it found any. `file` names the case in the message.
+void refuse_errors(const Plan& plan, const std::string& file);
+
+} // namespace vesica
