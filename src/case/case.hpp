@@ -11,8 +11,8 @@
 
 namespace vesica {
 
-/// Where the inertia was scaled ([units] reynolds): the lattice keeps the viscosity, the moduli and the times of
-/// the real system, but its fluid is denser by reynolds/true_reynolds.
+/// Where the inertia was scaled ([units] reynolds): the lattice keeps the viscosity, the moduli and the times
+/// of the real system, but its fluid is denser by reynolds/true_reynolds.
 struct InertiaScaling {
     double reynolds = 0.0;      ///< of the lattice, as asked for
     double true_reynolds = 0.0; ///< of the real system
@@ -34,7 +34,8 @@ struct Case {
     std::string source_file;
     std::string source_text;            ///< verbatim, without the overrides
     std::vector<std::string> overrides; ///< `path=value`, in the order in which they were applied
-    /// Place of every key that was given, by its full path ("vesicle[0].radius"). Keys that are absent have defaults.
+    /// Place of every key that was given, by its full path ("vesicle[0].radius"). Keys that are absent have
+    /// defaults.
     std::map<std::string, SourcePlace> places;
     std::vector<std::string> warnings; ///< each with its place, for `check`
 

@@ -16,12 +16,13 @@ namespace vesica {
 
 struct TriangleMesh; // case/triangle_mesh.hpp
 
-/// Relaxation of the ghost modes in the t-orthogonal basis, where every ghost equilibrium is zero.
-/// All ghost rates one
+// Relaxation of the ghost modes in the t-orthogonal basis, where every ghost equilibrium is zero.
+
+/// All ghost rates one.
 struct RegularisedGhosts {
     friend bool operator==(const RegularisedGhosts&, const RegularisedGhosts&) = default;
 };
-/// Even ghosts relax like the stress; odd ones by the magic number
+/// Even ghosts relax like the stress; odd ones by the magic number.
 struct TrtGhosts {
     double magic = 0.1875;
 
@@ -43,7 +44,7 @@ struct PaperGhosts { ///< the basis of Spendlove et al. 2021, Table VI (correcte
 
     friend bool operator==(const PaperGhosts&, const PaperGhosts&) = default;
 };
-/// Every mode relaxes with the stress' rate
+/// Every mode relaxes with the stress' rate.
 struct BgkGhosts {
     friend bool operator==(const BgkGhosts&, const BgkGhosts&) = default;
 };
@@ -80,7 +81,7 @@ struct BendingParameters {
 struct NoConstraint {
     friend bool operator==(const NoConstraint&, const NoConstraint&) = default;
 };
-/// sigma_A holds A = A_target(t)
+/// sigma_A holds A = A_target(t).
 struct MultiplierConstraint {
     friend bool operator==(const MultiplierConstraint&, const MultiplierConstraint&) = default;
 };

@@ -16,8 +16,8 @@ inline constexpr double resolution_note = 5.0;
 inline constexpr double resolution_warning = 3.5;
 inline constexpr double resolution_error = 2.0;
 
-/// segregation: beta, 1/cells; smallest_radius: of curvature, in modulus, cells. A number that is no number or not
-/// positive is an error.
+/// segregation: beta, 1/cells; smallest_radius: of curvature, in modulus, cells. A number that is no number
+/// or not positive is an error.
 Resolution judge_resolution(double segregation, double smallest_radius);
 
 /// One line that names the number, the limit it misses and what to change; empty when the resolution is fine.
