@@ -15,17 +15,17 @@ namespace vesica {
 /// two's complement integer. Integer addition is associative and commutative, so any number of threads and
 /// ranks gives the same bits (cf. Demmel & Nguyen 2015, "Parallel Reproducible Summation").
 ///
-/// Range: |term| <= 2^40 and |sum| < 2^63. A term of modulus above 2^-12 is held exactly; a smaller one with an
-/// absolute error of at most 2^-65 = 2.7e-20. A term that is not a number or out of range, and a sum that
-/// overflows, are programmer's errors or a run gone wrong: overflow is asserted, and value() is NaN from then on.
+/// Range: |term| <= 2^40 and |sum| < 2^63. A term of modulus above 2^-12 is held exactly; a smaller one with
+/// an absolute error of at most 2^-65 = 2.7e-20. A term that is not a number or out of range, and a sum that
+/// overflows, are programmer's errors or a run gone wrong: overflow is asserted, and value() is NaN from then
+/// on.
 class ExactSum {
 public:
     static constexpr double largest_term = 0x1p40;
 
     ExactSum() = default;
 
-    void add(double term)
-    {
+    void add(double term) {
         if (!(std::abs(term) <= largest_term)) {
             assert(std::isnan(term) || std::isinf(term) || !"term out of the exact sum's range");
             poisoned_ = true;
@@ -34,36 +34,33 @@ public:
         accumulate(fixed_point(term));
     }
 
-    ExactSum& operator+=(double term)
-    {
+    ExactSum& operator+=(double term) {
         add(term);
         return *this;
     }
 
     /// Merges the terms of another sum.
-    ExactSum& operator+=(const ExactSum& other)
-    {
+    ExactSum& operator+=(const ExactSum& other) {
         poisoned_ = poisoned_ || other.poisoned_;
         accumulate(other.total_);
         return *this;
     }
 
     /// The sum, rounded once to the nearest double; NaN if a term was not a number or out of range.
-    double value() const
-    {
-        if (poisoned_) return std::numeric_limits<double>::quiet_NaN();
+    double value() const {
+        if (poisoned_)
+            return std::numeric_limits<double>::quiet_NaN();
         return static_cast<double>(total_) * 0x1p-64;
     }
 
     /// The state as plain words for messages between ranks: low half, high half, 1 if poisoned.
-    std::array<std::uint64_t, 3> words() const
-    {
+    std::array<std::uint64_t, 3> words() const {
         const auto bits = static_cast<Unsigned128>(total_);
-        return {static_cast<std::uint64_t>(bits), static_cast<std::uint64_t>(bits >> 64), poisoned_ ? 1u : 0u};
+        return {static_cast<std::uint64_t>(bits), static_cast<std::uint64_t>(bits >> 64),
+                poisoned_ ? 1u : 0u};
     }
 
-    static ExactSum from_words(const std::array<std::uint64_t, 3>& words)
-    {
+    static ExactSum from_words(const std::array<std::uint64_t, 3>& words) {
         ExactSum sum;
         sum.total_ = static_cast<Signed128>((static_cast<Unsigned128>(words[1]) << 64) | words[0]);
         sum.poisoned_ = words[2] != 0;
@@ -77,12 +74,12 @@ private:
     __extension__ typedef unsigned __int128 Unsigned128;
 
     // Taken from the bits, not by std::ldexp and std::nearbyint: faster, and blind to the rounding mode.
-    static Signed128 fixed_point(double term)
-    {
+    static Signed128 fixed_point(double term) {
         static_assert(std::numeric_limits<double>::is_iec559);
         const auto bits = std::bit_cast<std::uint64_t>(term);
         const int exponent = static_cast<int>((bits >> 52) & 0x7ff);
-        if (exponent == 0) return 0; // zero and subnormals, far below 2^-65
+        if (exponent == 0)
+            return 0; // zero and subnormals, far below 2^-65
         const std::uint64_t mantissa = (bits & ((std::uint64_t{1} << 52) - 1)) | (std::uint64_t{1} << 52);
         const int shift = exponent - 1075 + 64; // term = mantissa 2^(exponent - 1075)
         Signed128 magnitude = 0;
@@ -93,8 +90,7 @@ private:
         return (bits >> 63) != 0 ? -magnitude : magnitude;
     }
 
-    void accumulate(Signed128 term)
-    {
+    void accumulate(Signed128 term) {
         const bool overflow = __builtin_add_overflow(total_, term, &total_);
         assert(!overflow && "the exact sum left its range");
         poisoned_ = poisoned_ || overflow;

@@ -9,33 +9,28 @@ namespace vesica {
 namespace {
 
 /// Over the cells that have it, so without the layer's far tails.
-double partial_gaussian_curvature(const VesicleSnapshot& vesicle)
-{
+double partial_gaussian_curvature(const VesicleSnapshot& vesicle) {
     return geometry_sum(vesicle, [](const InterfaceCell& cell) { return cell.K; });
 }
 
 } // namespace
 
-double raw_area(const VesicleSnapshot& vesicle)
-{
+double raw_area(const VesicleSnapshot& vesicle) {
     return layer_sum(vesicle, [](const InterfaceCell&) { return 1.0; });
 }
 
-double area(const VesicleSnapshot& vesicle)
-{
+double area(const VesicleSnapshot& vesicle) {
     const double sphere = 4.0 * std::numbers::pi;
     const double one_minus_genus = std::round(partial_gaussian_curvature(vesicle) / sphere);
     return raw_area(vesicle) - sphere * one_minus_genus * vesicle.layer_moment;
 }
 
-double geometry_coverage(const VesicleSnapshot& vesicle)
-{
+double geometry_coverage(const VesicleSnapshot& vesicle) {
     const double covered = geometry_sum(vesicle, [](const InterfaceCell& cell) { return cell.J; });
     return covered > 0.0 ? covered / area(vesicle) : std::numeric_limits<double>::quiet_NaN();
 }
 
-double gaussian_curvature_integral(const VesicleSnapshot& vesicle)
-{
+double gaussian_curvature_integral(const VesicleSnapshot& vesicle) {
     return partial_gaussian_curvature(vesicle) / geometry_coverage(vesicle);
 }
 

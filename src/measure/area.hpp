@@ -8,7 +8,8 @@ namespace vesica {
 double raw_area(const VesicleSnapshot& vesicle);
 
 /// int K dA, from the curvature of each cell's own parallel surface, which needs no correction for the layer:
-/// 4 pi (1 - genus). Its deviation from that tells how well the shape is resolved. NaN when no cell has geometry.
+/// 4 pi (1 - genus). Its deviation from that tells how well the shape is resolved. NaN when no cell has
+/// geometry.
 double gaussian_curvature_integral(const VesicleSnapshot& vesicle);
 
 /// The area of phi = 0: the raw area minus <s^2> int K dA, with int K dA rounded to a multiple of 4 pi

@@ -16,8 +16,7 @@ public:
     explicit CentreTracker(const Vec3<double>& period) : period_(period) {}
 
     /// The image of `centre` that continues the path.
-    Vec3<double> follow(const Vec3<double>& centre)
-    {
+    Vec3<double> follow(const Vec3<double>& centre) {
         Vec3<double> continued = centre;
         if (last_)
             for (int a = 0; a < 3; ++a)

@@ -6,13 +6,11 @@
 
 namespace vesica {
 
-double mean_curvature_integral(const VesicleSnapshot& vesicle)
-{
+double mean_curvature_integral(const VesicleSnapshot& vesicle) {
     return mid_surface_integral(vesicle, [](const InterfaceCell& cell) { return cell.H0; });
 }
 
-double bending_energy(const VesicleSnapshot& vesicle)
-{
+double bending_energy(const VesicleSnapshot& vesicle) {
     const double energy = mid_surface_integral(vesicle, [&](const InterfaceCell& cell) {
         const double excess = 2.0 * cell.H0 - vesicle.spontaneous_curvature;
         return 0.5 * excess * excess;

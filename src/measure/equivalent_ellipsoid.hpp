@@ -9,8 +9,8 @@ namespace vesica {
 
 /// The ellipsoid of equal volume and inertia: a_i^2 = 5 M_i/V of the second moments' eigenvalues M_i.
 struct EquivalentEllipsoid {
-    std::array<double, 3> semi_axes{};            ///< descending, cells
-    std::array<Vec3<double>, 3> directions{};     ///< orthonormal, in that order; signs arbitrary
+    std::array<double, 3> semi_axes{};        ///< descending, cells
+    std::array<Vec3<double>, 3> directions{}; ///< orthonormal, in that order; signs arbitrary
 };
 
 EquivalentEllipsoid equivalent_ellipsoid(const SolidBody& body);
@@ -23,8 +23,9 @@ struct ShearPlane {
 
 /// How the ellipsoid of equal inertia looks in the shear plane (its shadow along the vorticity).
 struct PlaneDeformation {
-    double taylor = 0.0;      ///< (L - B)/(L + B)
-    double inclination = 0.0; ///< of L, degrees in (-90, 90] from the flow towards the gradient; NaN without flow
+    double taylor = 0.0; ///< (L - B)/(L + B)
+    double inclination =
+        0.0; ///< of L, degrees in (-90, 90] from the flow towards the gradient; NaN without flow
 };
 
 /// Without a flow the plane of the largest and the smallest axis serves.

@@ -17,8 +17,7 @@ struct CentralMoments {
 
 /// Moments of w on the nodes of the profile through phi = `start` at node 0, about its own centre: by
 /// translation invariance sum w x is the position of phi = 0, up to terms of order exp(-pi^2/beta).
-CentralMoments node_moments(double start, double beta)
-{
+CentralMoments node_moments(double start, double beta) {
     std::vector<double> position;
     std::vector<double> weight;
     const auto visit = [&](double x, double height) {
@@ -28,9 +27,11 @@ CentralMoments node_moments(double start, double beta)
     const double negligible = 1e-22;
     visit(0.0, 1.0 + start);
     double height = 1.0 + start;
-    for (double x = 1.0; (height = next_height(height, beta)) > negligible; x += 1.0) visit(x, height);
+    for (double x = 1.0; (height = next_height(height, beta)) > negligible; x += 1.0)
+        visit(x, height);
     height = 1.0 - start; // inwards the same recurrence holds for -phi
-    for (double x = -1.0; (height = next_height(height, beta)) > negligible; x -= 1.0) visit(x, height);
+    for (double x = -1.0; (height = next_height(height, beta)) > negligible; x -= 1.0)
+        visit(x, height);
 
     ExactSum total, first;
     for (std::size_t i = 0; i < weight.size(); ++i) {
@@ -49,22 +50,20 @@ CentralMoments node_moments(double start, double beta)
 
 } // namespace
 
-double next_height(double height, double beta)
-{
-    const double g = height * (2.0 * (1.0 - beta) + beta * height); // root of the recurrence's quadratic, over beta
+double next_height(double height, double beta) {
+    const double g =
+        height * (2.0 * (1.0 - beta) + beta * height); // root of the recurrence's quadratic, over beta
     return g / (1.0 + beta + std::sqrt((1.0 + beta) * (1.0 + beta) - beta * g));
 }
 
-LayerMoments tanh_layer_moments(double beta)
-{
+LayerMoments tanh_layer_moments(double beta) {
     assert(beta > 0.0);
     const double scale = std::numbers::pi / beta;
     const double second = scale * scale / 12.0;
     return {second, second, 7.0 * scale * scale * scale * scale / 240.0};
 }
 
-LayerMoments lattice_layer_moments(double beta)
-{
+LayerMoments lattice_layer_moments(double beta) {
     assert(beta > 0.0 && beta < 1.0);
     constexpr int offsets = 16;
     // Node 0 from where phi = 0 sits on it to where phi = 0 is half a cell away.

@@ -47,13 +47,15 @@ constexpr std::array columns = {
     Column{"gap", &MetricsRow::gap},
 };
 
-const Column& column_named(std::string_view name)
-{
+const Column& column_named(std::string_view name) {
     for (const Column& column : columns)
-        if (name == column.name) return column;
-    std::string message = "quantity is \"" + std::string(name) + "\"; expected a column of metrics.csv; try one of ";
+        if (name == column.name)
+            return column;
+    std::string message =
+        "quantity is \"" + std::string(name) + "\"; expected a column of metrics.csv; try one of ";
     for (const Column& column : columns) {
-        if (&column != columns.data()) message += ", ";
+        if (&column != columns.data())
+            message += ", ";
         message += column.name;
     }
     throw InputError(message);
@@ -61,41 +63,39 @@ const Column& column_named(std::string_view name)
 
 } // namespace
 
-const std::vector<std::string>& metrics_columns()
-{
+const std::vector<std::string>& metrics_columns() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> list;
-        for (const Column& column : columns) list.emplace_back(column.name);
+        for (const Column& column : columns)
+            list.emplace_back(column.name);
         return list;
     }();
     return names;
 }
 
-std::vector<double> metrics_values(const MetricsRow& row)
-{
+std::vector<double> metrics_values(const MetricsRow& row) {
     std::vector<double> values;
     values.reserve(columns.size());
-    for (const Column& column : columns) values.push_back(row.*column.value);
+    for (const Column& column : columns)
+        values.push_back(row.*column.value);
     return values;
 }
 
-double metrics_value(const MetricsRow& row, std::string_view column)
-{
+double metrics_value(const MetricsRow& row, std::string_view column) {
     return row.*column_named(column).value;
 }
 
-void require_metrics_column(std::string_view column)
-{
+void require_metrics_column(std::string_view column) {
     column_named(column);
 }
 
-MetricsBaseline baseline_of(const VesicleSnapshot& vesicle, int index, const std::optional<ShearPlane>& shear_plane)
-{
+MetricsBaseline baseline_of(const VesicleSnapshot& vesicle, int index,
+                            const std::optional<ShearPlane>& shear_plane) {
     return {index, vesicle.colour_mass, largest_diameter(vesicle), shear_plane};
 }
 
-MetricsRow measure(const VesicleSnapshot& vesicle, const Snapshot& snapshot, const MetricsBaseline& baseline)
-{
+MetricsRow measure(const VesicleSnapshot& vesicle, const Snapshot& snapshot,
+                   const MetricsBaseline& baseline) {
     const SolidBody body = solid_body(vesicle);
     const std::array<double, 3> inertia = principal_inertia(body, snapshot.reference_density);
     const Vec3<double> centre = centre_of_mass(vesicle);

@@ -10,8 +10,8 @@
 
 namespace vesica {
 
-/// A row of metrics.csv: one vesicle at one instant, lattice units, in the columns' order. What cannot be known
-/// (curvature without geometry, inclination without flow, ...) is NaN.
+/// A row of metrics.csv: one vesicle at one instant, lattice units, in the columns' order. What cannot be
+/// known (curvature without geometry, inclination without flow, ...) is NaN.
 struct MetricsRow {
     double step = 0.0;
     double time = 0.0;
@@ -55,9 +55,9 @@ void require_metrics_column(std::string_view column);
 
 /// What a vesicle is compared with.
 struct MetricsBaseline {
-    int vesicle = 0;          ///< its index
-    double colour_mass = 0.0; ///< at step 0
-    double diameter = 0.0;    ///< D_0, the largest diameter at flow start (or step 0), cells
+    int vesicle = 0;                       ///< its index
+    double colour_mass = 0.0;              ///< at step 0
+    double diameter = 0.0;                 ///< D_0, the largest diameter at flow start (or step 0), cells
     std::optional<ShearPlane> shear_plane; ///< absent without a flow
 };
 

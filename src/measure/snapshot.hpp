@@ -14,21 +14,22 @@ namespace vesica {
 /// H > 0 on a sphere.
 struct InterfaceCell {
     Vec3<double> position{};
-    double phi = 0.0;      ///< phase field, +1 inside
-    double s = 0.0;        ///< signed distance to phi = 0, positive outside; -atanh(phi)/beta
-    Vec3<double> n{};      ///< outward unit normal
-    double H = 0.0;        ///< mean curvature of the parallel surface through this cell
-    double K = 0.0;        ///< its Gaussian curvature
-    double H0 = 0.0;       ///< mapped to phi = 0
+    double phi = 0.0; ///< phase field, +1 inside
+    double s = 0.0;   ///< signed distance to phi = 0, positive outside; -atanh(phi)/beta
+    Vec3<double> n{}; ///< outward unit normal
+    double H = 0.0;   ///< mean curvature of the parallel surface through this cell
+    double K = 0.0;   ///< its Gaussian curvature
+    double H0 = 0.0;  ///< mapped to phi = 0
     double K0 = 0.0;
-    double J = 1.0;        ///< area of the mid-surface per area of the parallel surface: 1 - 2 s H + s^2 K
-    double density = 1.0;  ///< rho
-    Vec3<double> u{};      ///< velocity
+    double J = 1.0;          ///< area of the mid-surface per area of the parallel surface: 1 - 2 s H + s^2 K
+    double density = 1.0;    ///< rho
+    Vec3<double> u{};        ///< velocity
     Vec3<double> gradient{}; ///< lattice gradient of phi
     double bending_force = 0.0; ///< per membrane area along n
     double tension_force = 0.0; ///< -2 (sigma + sigma_A) H0
-    double weight = 0.0;   ///< (beta/2)(1 - phi^2): sum of weight * q approximates int q dA over the layer
-    bool has_geometry = false; ///< n, H, K, H0, K0, J are meaningful (inside the band where they are computed)
+    double weight = 0.0; ///< (beta/2)(1 - phi^2): sum of weight * q approximates int q dA over the layer
+    bool has_geometry =
+        false; ///< n, H, K, H0, K0, J are meaningful (inside the band where they are computed)
 };
 
 /// A run of cells along x that are purely inside (phi = 1), unwrapped like the cells above:
@@ -45,15 +46,15 @@ struct VesicleSnapshot {
     std::vector<InterfaceCell> cells;
     std::vector<InsideSpan> inside;
     double beta = 0.67;
-    double layer_moment = 0.0;         ///< calibrated <s^2> of the layer at this beta, cells^2 (LayerMoments::area)
+    double layer_moment = 0.0; ///< calibrated <s^2> of the layer at this beta, cells^2 (LayerMoments::area)
     /// The same for sums of (1 + phi)/2 (LayerMoments::volume); NaN: equal to layer_moment, as for a tanh.
     double volume_moment = std::numeric_limits<double>::quiet_NaN();
-    Vec3<double> momentum{};           ///< exact sum of rho_k u over this vesicle's colour
+    Vec3<double> momentum{}; ///< exact sum of rho_k u over this vesicle's colour
     double bending_modulus = 0.0;
     double spontaneous_curvature = 0.0;
-    double tension = 0.0;              ///< sigma plus the constraint's
+    double tension = 0.0; ///< sigma plus the constraint's
     double target_area = std::numeric_limits<double>::quiet_NaN();
-    double colour_mass = 0.0;          ///< exact sum of this vesicle's density
+    double colour_mass = 0.0; ///< exact sum of this vesicle's density
 };
 
 struct Snapshot {

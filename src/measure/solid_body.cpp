@@ -20,38 +20,42 @@ struct Moments {
 constexpr std::array<std::array<int, 2>, 6> pairs = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 /// Cells and spans of pure colour, about `origin`.
-Moments raw_moments(const VesicleSnapshot& vesicle, const Vec3<double>& origin)
-{
+Moments raw_moments(const VesicleSnapshot& vesicle, const Vec3<double>& origin) {
     Moments sums;
     const auto add = [&sums](double share, const Vec3<double>& r) {
         sums.zeroth.add(share);
-        for (int a = 0; a < 3; ++a) sums.first[static_cast<std::size_t>(a)].add(share * r[a]);
-        for (std::size_t p = 0; p < 6; ++p) sums.second[p].add(share * r[pairs[p][0]] * r[pairs[p][1]]);
+        for (int a = 0; a < 3; ++a)
+            sums.first[static_cast<std::size_t>(a)].add(share * r[a]);
+        for (std::size_t p = 0; p < 6; ++p)
+            sums.second[p].add(share * r[pairs[p][0]] * r[pairs[p][1]]);
     };
-    for (const InterfaceCell& cell : vesicle.cells) add(0.5 * (1.0 + cell.phi), cell.position - origin);
+    for (const InterfaceCell& cell : vesicle.cells)
+        add(0.5 * (1.0 + cell.phi), cell.position - origin);
     for (const InsideSpan& span : vesicle.inside) {
         const Vec3<double> start = Vec3<double>{span.begin + 0.5, span.y + 0.5, span.z + 0.5} - origin;
-        for (int k = 0; k < span.count; ++k) add(1.0, {start.x + k, start.y, start.z});
+        for (int k = 0; k < span.count; ++k)
+            add(1.0, {start.x + k, start.y, start.z});
     }
     return sums;
 }
 
-Vec3<double> centre_of(const Moments& sums)
-{
+Vec3<double> centre_of(const Moments& sums) {
     const double total = sums.zeroth.value();
     return {sums.first[0].value() / total, sums.first[1].value() / total, sums.first[2].value() / total};
 }
 
 /// What the layer adds to the raw sums about `origin`.
-Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin)
-{
+Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin) {
     const double m2 = std::isnan(vesicle.volume_moment) ? vesicle.layer_moment : vesicle.volume_moment;
-    const double m4 = 4.2 * m2 * m2; // of a tanh; m4 itself is a small correction, and its deviation negligible
+    const double m4 =
+        4.2 * m2 * m2; // of a tanh; m4 itself is a small correction, and its deviation negligible
     const double coverage = geometry_coverage(vesicle);
     Moments sums;
-    if (std::isnan(coverage)) return sums;
+    if (std::isnan(coverage))
+        return sums;
     for (const InterfaceCell& cell : vesicle.cells) {
-        if (!cell.has_geometry) continue;
+        if (!cell.has_geometry)
+            continue;
         const double dA = cell.weight * cell.J / coverage;
         const Vec3<double> r = foot_point(cell) - origin;
         sums.zeroth.add(dA * m2 * cell.H0);
@@ -65,8 +69,8 @@ Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin)
             const int b = pairs[p][1];
             const double q1 = cell.n[a] * r[b] + r[a] * cell.n[b];
             const double q2 = cell.n[a] * cell.n[b];
-            sums.second[p].add(dA * (0.5 * m2 * (q1 + 2.0 * cell.H0 * r[a] * r[b])
-                                     + 0.25 * m4 * (2.0 * cell.H0 * q2 + cell.K0 * q1)));
+            sums.second[p].add(dA * (0.5 * m2 * (q1 + 2.0 * cell.H0 * r[a] * r[b]) +
+                                     0.25 * m4 * (2.0 * cell.H0 * q2 + cell.K0 * q1)));
         }
     }
     return sums;
@@ -74,8 +78,7 @@ Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin)
 
 } // namespace
 
-SolidBody solid_body(const VesicleSnapshot& vesicle)
-{
+SolidBody solid_body(const VesicleSnapshot& vesicle) {
     const Vec3<double> origin = centre_of_mass(vesicle);
     const Moments raw = raw_moments(vesicle, origin);
     const Moments excess = layer_excess(vesicle, origin);
@@ -88,31 +91,28 @@ SolidBody solid_body(const VesicleSnapshot& vesicle)
     }
     std::array<double, 6> second{};
     for (std::size_t p = 0; p < 6; ++p)
-        second[p] = raw.second[p].value() - excess.second[p].value()
-                    - volume * shift[pairs[p][0]] * shift[pairs[p][1]]; // parallel axes
+        second[p] = raw.second[p].value() - excess.second[p].value() -
+                    volume * shift[pairs[p][0]] * shift[pairs[p][1]]; // parallel axes
     return {volume, origin + shift, {second[0], second[1], second[2], second[3], second[4], second[5]}};
 }
 
-double volume(const VesicleSnapshot& vesicle)
-{
+double volume(const VesicleSnapshot& vesicle) {
     return solid_body(vesicle).volume;
 }
 
-Vec3<double> centre_of_mass(const VesicleSnapshot& vesicle)
-{
+Vec3<double> centre_of_mass(const VesicleSnapshot& vesicle) {
     // About a point of the vesicle, so that a distant one keeps its digits.
     Vec3<double> origin;
-    if (!vesicle.cells.empty()) origin = vesicle.cells.front().position;
+    if (!vesicle.cells.empty())
+        origin = vesicle.cells.front().position;
     return origin + centre_of(raw_moments(vesicle, origin));
 }
 
-double reduced_volume(double volume, double area)
-{
+double reduced_volume(double volume, double area) {
     return 6.0 * std::sqrt(std::numbers::pi) * volume / (area * std::sqrt(area));
 }
 
-std::array<double, 3> principal_inertia(const SolidBody& body, double density)
-{
+std::array<double, 3> principal_inertia(const SolidBody& body, double density) {
     const SymmetricTensor& m = body.second;
     Eigen::Matrix3d inertia;
     inertia << m.yy + m.zz, -m.xy, -m.xz, //

@@ -18,14 +18,15 @@ struct SymmetricTensor {
 
 /// The body inside phi = 0 as if it were solid and of density one.
 struct SolidBody {
-    double volume = 0.0;         ///< cells^3
-    Vec3<double> centre{};       ///< of mass, unwrapped like the snapshot
-    SymmetricTensor second{};    ///< int (x - centre)(x - centre) dV, cells^5
+    double volume = 0.0;      ///< cells^3
+    Vec3<double> centre{};    ///< of mass, unwrapped like the snapshot
+    SymmetricTensor second{}; ///< int (x - centre)(x - centre) dV, cells^5
 };
 
 /// Volume, centre and second moments, corrected for the layer. For a smooth q
 ///
-///     sum q (1 + phi)/2 = int_V q dV + (m2/2) int (n.grad q + 2 H q) dA + (m4/4) int (2 H q2 + K n.grad q) dA
+///     sum q (1 + phi)/2 = int_V q dV + (m2/2) int (n.grad q + 2 H q) dA + (m4/4) int (2 H q2 + K n.grad q)
+///     dA
 ///
 /// with m2 and m4 the layer's moments, and q2 the second-order coefficient of q along n; from the parallel
 /// surfaces' areas 1 + 2 s H + s^2 K, and exact for q up to second degree. q = 1, x and x x are used.
