@@ -8,9 +8,9 @@
 
 namespace vesica {
 
-Plan make_plan(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
-               const PlanOptions& options)
+Plan make_plan(const Case& what, const PlanOptions& options)
 {
+    const Parameters& parameters = what.parameters;
     Plan plan;
     const Vec3<int>& size = parameters.size;
     plan.cells = std::int64_t{size.x} * size.y * size.z;
@@ -28,18 +28,22 @@ Plan make_plan(const Parameters& parameters, const RunParameters& run, const Out
 
     judge_fluid(parameters, plan, plan.remarks);
     for (std::size_t vesicle = 0; vesicle < parameters.vesicles.size(); ++vesicle)
-        judge_vesicle(parameters, vesicle, plan.vesicles[vesicle], run, options, plan.remarks);
+        judge_vesicle(parameters, vesicle, plan.vesicles[vesicle], what.run, options, plan.remarks);
     judge_places(parameters, shapes, plan, plan.remarks);
-    judge_schedule(parameters, run, output, plan.remarks);
+    judge_schedule(parameters, what.run, what.output, plan.remarks);
+
+    for (Remark& remark : plan.remarks) remark.text = InputError(what.place(remark.key), remark.text).what();
+    for (const std::string& warning : what.warnings)
+        plan.remarks.push_back({Remark::Severity::warning, {}, warning});
     return plan;
 }
 
-void refuse_errors(const Plan& plan, const std::string& file)
+void refuse_errors(const Plan& plan)
 {
     std::string message;
     for (const std::string& text : texts_of(plan.remarks, Remark::Severity::error)) {
         if (!message.empty()) message += '\n';
-        message += file + ": " + text;
+        message += text;
     }
     if (!message.empty()) throw InputError(message);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "case/parameters.hpp"
+#include "case/case.hpp"
 #include "simulation/plan_remarks.hpp"
 #include "simulation/plan_vesicle.hpp"
 
@@ -24,15 +24,14 @@ struct Plan {
     double expected_speed = 0.0;    ///< the fastest of the vesicles' own, cells per step
     double mach = 0.0;              ///< expected_speed over the speed of sound
     std::vector<VesiclePlan> vesicles;
-    Remarks remarks;
+    Remarks remarks;                ///< each begins with its place in the case file
 };
 
 /// Plans and judges. Throws InputError where the case cannot be built at all (shapes); whatever else `run` refuses
 /// is a remark of severity error.
-Plan make_plan(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
-               const PlanOptions& options = {});
+Plan make_plan(const Case& what, const PlanOptions& options = {});
 
-/// Throws InputError with every error the plan found, if it found any. `file` names the case in the message.
-void refuse_errors(const Plan& plan, const std::string& file);
+/// Throws InputError with every error the plan found, if it found any.
+void refuse_errors(const Plan& plan);
 
 } // namespace vesica

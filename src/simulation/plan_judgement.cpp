@@ -1,5 +1,7 @@
 #include "simulation/plan_judgement.hpp"
 
+#include "case/resolution.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,21 +13,17 @@ namespace {
 
 using Severity = Remark::Severity;
 
-/// beta R_c: the narrowest bend in units of the interface's half-width.
-constexpr double resolution_noted = 5.0;
-constexpr double resolution_warned = 3.5;
-constexpr double resolution_refused = 2.0;
-
 /// The bending modulus that the recolouring feels like at nu = 1/6.
 constexpr double recolouring_modulus = 0.0024;
 
 template <class... Arguments>
-void add(Remarks& remarks, Severity severity, fmt::format_string<Arguments...> text, Arguments&&... arguments)
+void add(Remarks& remarks, Severity severity, const std::string& key, fmt::format_string<Arguments...> text,
+         Arguments&&... arguments)
 {
-    remarks.push_back({severity, fmt::format(text, std::forward<Arguments>(arguments)...)});
+    remarks.push_back({severity, key, key + fmt::format(text, std::forward<Arguments>(arguments)...)});
 }
 
-void judge_resolution(const std::string& name, const VesiclePlan& plan, Remarks& remarks)
+void judge_bends(double segregation, const std::string& name, const VesiclePlan& plan, Remarks& remarks)
 {
     const bool target_decides =
         plan.target_smallest_radius && *plan.target_smallest_radius < plan.smallest_radius;
@@ -34,19 +32,19 @@ void judge_resolution(const std::string& name, const VesiclePlan& plan, Remarks&
         target_decides ? fmt::format("the rim of the discocyte of reduced volume {:.3f} it is deflated to",
                                      plan.target_reduced_volume)
                        : std::string("the sharpest bend of its initial shape");
-    const double better = plan.radius * resolution_noted / plan.resolution;
+    const double better = std::ceil(plan.radius * resolution_note / plan.resolution);
     const auto say = [&](Severity severity, double bound) {
-        add(remarks, severity,
-            "{}.radius is {:g}: {} has a radius of curvature of {:.2f} cells, beta times it is {:.2f}; expected at "
-            "least {:g}; try a radius of {:.0f} or more",
-            name, plan.radius, where, smallest, plan.resolution, bound, std::ceil(better));
+        add(remarks, severity, name + ".radius",
+            " is {:g}: {} has a radius of curvature of {:.2f} cells, and beta times it is {:.2f}; expected at least "
+            "{:g}; try a radius of {:.0f} or more",
+            plan.radius, where, smallest, plan.resolution, bound, better);
     };
-    if (plan.resolution < resolution_refused)
-        say(Severity::error, resolution_refused);
-    else if (plan.resolution < resolution_warned)
-        say(Severity::warning, resolution_warned);
-    else if (plan.resolution < resolution_noted)
-        say(Severity::note, resolution_noted);
+    switch (judge_resolution(segregation, smallest)) {
+    case Resolution::fine: break;
+    case Resolution::note: say(Severity::note, resolution_note); break;
+    case Resolution::warning: say(Severity::warning, resolution_warning); break;
+    case Resolution::error: say(Severity::error, resolution_error); break;
+    }
 }
 
 void judge_stiffness(const VesicleType& type, const PlanOptions& options, Remarks& remarks)
@@ -54,54 +52,51 @@ void judge_stiffness(const VesicleType& type, const PlanOptions& options, Remark
     const double kappa = type.bending.modulus;
     if (kappa <= 0.0) return;
     const double share = recolouring_modulus / kappa;
-    const std::string text = fmt::format(
-        "vesicle_type.{}.bending.modulus is {:g}: the recolouring resists bending by itself like a modulus of about "
-        "{:g}, {:.0f} % of this one; expected at least {:g}",
-        type.name, kappa, recolouring_modulus, 100.0 * share, 10.0 * recolouring_modulus);
-    if (share > 0.1 && !options.accept_soft_membranes)
-        remarks.push_back({Severity::error, text + "; try a larger modulus, or --accept-soft-membranes if you know"});
-    else if (share > 0.1)
-        remarks.push_back({Severity::warning, text + "; try a larger modulus"});
+    const std::string key = "vesicle_type." + type.name + ".bending.modulus";
+    const bool soft = share > 0.1;
+    if (soft)
+        add(remarks, options.accept_soft_membranes ? Severity::warning : Severity::error, key,
+            " is {:g}: the recolouring resists bending by itself like a modulus of about {:g}, {:.0f} % of this one; "
+            "expected at least {:g}; try a larger modulus{}",
+            kappa, recolouring_modulus, 100.0 * share, 10.0 * recolouring_modulus,
+            options.accept_soft_membranes ? "" : ", or --accept-soft-membranes");
     else if (share > 0.05)
-        add(remarks, Severity::note,
-            "vesicle_type.{}.bending.modulus is {:g}: the recolouring adds about {:.0f} % to it by itself", type.name,
-            kappa, 100.0 * share);
+        add(remarks, Severity::note, key, " is {:g}: the recolouring adds about {:.0f} % to it by itself", kappa,
+            100.0 * share);
 }
 
 void judge_constraint(const VesicleType& type, const std::string& name, double eta, const VesiclePlan& plan,
                       Remarks& remarks)
 {
     const AreaParameters& area = type.area;
+    const std::string key = "vesicle_type." + type.name;
     const double kappa = type.bending.modulus;
     const bool deflated = plan.target_area > 1.001 * plan.area;
     if (std::holds_alternative<MultiplierConstraint>(area.constraint) && type.sigma != 0.0)
-        add(remarks, Severity::note,
-            "vesicle_type.{}.tension.sigma is {:g}: with the area held by a multiplier it decides nothing, the "
-            "multiplier takes it up",
-            type.name, type.sigma);
+        add(remarks, Severity::note, key + ".tension.sigma",
+            " is {:g}: with the area held by a multiplier it decides nothing, the multiplier takes it up", type.sigma);
     if (area.deflation && std::holds_alternative<NoConstraint>(area.constraint))
-        add(remarks, Severity::warning,
-            "vesicle_type.{0}.area.deflation is {1:g}, but vesicle_type.{0}.area.constraint is none: nothing holds "
-            "that area; try constraint = \"multiplier\"",
-            type.name, *area.deflation);
+        add(remarks, Severity::warning, key + ".area.deflation",
+            " is {:g}, but the area's constraint is none: nothing holds that area; try constraint = \"multiplier\"",
+            *area.deflation);
     if (plan.target_reduced_volume > 1.0 + 1e-9)
-        add(remarks, Severity::error,
-            "vesicle_type.{}.area: the target is a reduced volume of {:.4f}; expected at most 1, for no surface "
-            "encloses more than a sphere; try a deflation of 1 or more",
-            type.name, plan.target_reduced_volume);
+        add(remarks, Severity::error, key + ".area",
+            " aims at a reduced volume of {:.4f}; expected at most 1, for no surface encloses more than a sphere; try "
+            "a deflation of 1 or more",
+            plan.target_reduced_volume);
     const double K = plan.penalty_modulus;
     if (K <= 0.0) return;
     const double fastest = eta * plan.radius;
     if (K > fastest)
-        add(remarks, Severity::warning,
-            "vesicle_type.{}.area: the penalty's modulus K_A is {:.3g} for {}; expected below eta R0 = {:.3g}, above "
-            "which the tension overshoots from step to step; try a smaller one, or constraint = \"multiplier\"",
-            type.name, K, name, fastest);
+        add(remarks, Severity::warning, key + ".area",
+            " has a penalty modulus K_A of {:.3g} for {}; expected below eta R0 = {:.3g}, above which the tension "
+            "overshoots from step to step; try a smaller one, or constraint = \"multiplier\"",
+            K, name, fastest);
     if (deflated && kappa > 0.0 && K > 50.0 * kappa / (plan.radius * plan.radius) && area.ramp == 0)
-        add(remarks, Severity::warning,
-            "vesicle_type.{}.area: a jump to the target area under K_A = {:.3g} buckles high modes (starfish, holes); "
-            "expected below 50 kappa/R0^2 = {:.3g}; try a ramp of {:.0f} steps",
-            type.name, K, 50.0 * kappa / (plan.radius * plan.radius), std::ceil(5.0 * *plan.bending_time));
+        add(remarks, Severity::warning, key + ".area",
+            " jumps to its target under K_A = {:.3g}, which buckles high modes (starfish, holes); expected below "
+            "50 kappa/R0^2 = {:.3g}; try a ramp of {:.0f} steps",
+            K, 50.0 * kappa / (plan.radius * plan.radius), std::ceil(5.0 * *plan.bending_time));
 }
 
 void judge_path(const VesicleType& type, const VesicleParameters& vesicle, const std::string& name,
@@ -113,27 +108,25 @@ void judge_path(const VesicleType& type, const VesicleParameters& vesicle, const
     if (std::abs(change) < 1e-3) return;
     const auto ramp = static_cast<double>(type.area.ramp);
     if (ramp < 5.0 * tau)
-        add(remarks, Severity::warning,
-            "vesicle_type.{}.area.ramp is {}: {} goes to its area in {:.1f} bending times (eta R0^3/kappa = {:.0f} "
-            "steps); expected at least 5 for a smooth shape; try ramp = {:.0f}",
-            type.name, type.area.ramp, name, ramp / tau, tau, std::ceil(5.0 * tau / 100.0) * 100.0);
+        add(remarks, Severity::warning, "vesicle_type." + type.name + ".area.ramp",
+            " is {}: {} goes to its area in {:.1f} bending times (eta R0^3/kappa = {:.0f} steps); expected at least 5 "
+            "for a smooth shape; try ramp = {:.0f}",
+            type.area.ramp, name, ramp / tau, tau, std::ceil(5.0 * tau / 100.0) * 100.0);
     if (run.steps > 0 && type.area.ramp >= run.steps)
-        add(remarks, Severity::warning,
-            "run.steps is {}: the run ends before the ramp of {} is over; expected more than {}; try run.steps = {}",
+        add(remarks, Severity::warning, "run.steps",
+            " is {}: the run ends before the ramp of {} is over; expected more than {}; try run.steps = {}",
             run.steps, name, type.area.ramp, 3 * type.area.ramp);
     else if (run.steps > 0 && static_cast<double>(run.steps) - ramp < 5.0 * tau)
-        add(remarks, Severity::note, "{} has {:.1f} bending times to relax in after its ramp", name,
-            (static_cast<double>(run.steps) - ramp) / tau);
+        add(remarks, Severity::note, name, " has {:.1f} bending times to relax in after its ramp", (static_cast<double>(run.steps) - ramp) / tau);
     if (std::holds_alternative<SphereShape>(vesicle.shape) && vesicle.perturbations.empty() && change > 0.0)
-        add(remarks, Severity::warning,
-            "{0}.perturbation is missing: a perfect sphere has nothing that could grow when its area does; try "
-            "[[vesicle.perturbation]] with l = 2, m = 0, amplitude = -0.01",
-            name);
+        add(remarks, Severity::warning, name + ".perturbation",
+            " is missing: a perfect sphere has nothing that could grow when its area does; try "
+            "[[vesicle.perturbation]] with l = 2, m = 0, amplitude = -0.01");
     if (plan.target_reduced_volume > 0.75 && plan.target_reduced_volume < 0.99)
-        add(remarks, Severity::note,
-            "{} is deflated to a reduced volume of {:.3f}: above .750 oblate shapes are unstable, it will become a "
+        add(remarks, Severity::note, name,
+            " is deflated to a reduced volume of {:.3f}: above .750 oblate shapes are unstable, it will become a "
             "prolate unless a symmetry of the lattice holds it",
-            name, plan.target_reduced_volume);
+            plan.target_reduced_volume);
 }
 
 } // namespace
@@ -142,24 +135,23 @@ void judge_fluid(const Parameters& parameters, const Plan& plan, Remarks& remark
 {
     const double beta = parameters.fluid.segregation;
     if (beta > 1.0 / std::numbers::sqrt2)
-        add(remarks, Severity::error,
-            "fluid.segregation is {:g}; expected at most 0.7071, above which a colour's populations turn negative; "
+        add(remarks, Severity::error, "fluid.segregation",
+            " is {:g}; expected at most 0.7071, above which a colour's populations turn negative; "
             "try 0.67",
             beta);
     if (plan.relaxation_time < 0.52)
-        add(remarks, Severity::warning,
-            "fluid.kinematic_viscosity is {:g}, a relaxation time of {:.4f}; expected at least 0.52 for a stable run; "
+        add(remarks, Severity::warning, "fluid.kinematic_viscosity",
+            " is {:g}, a relaxation time of {:.4f}; expected at least 0.52 for a stable run; "
             "try 0.1666667",
             parameters.fluid.kinematic_viscosity, plan.relaxation_time);
     if (plan.relaxation_time > 3.5)
-        add(remarks, Severity::warning,
-            "fluid.kinematic_viscosity is {:g}, a relaxation time of {:.3f}; expected at most 3.5, above which the "
+        add(remarks, Severity::warning, "fluid.kinematic_viscosity",
+            " is {:g}, a relaxation time of {:.3f}; expected at most 3.5, above which the "
             "lattice's own errors grow; try 0.5",
             parameters.fluid.kinematic_viscosity, plan.relaxation_time);
     if (plan.mach > 0.1)
-        add(remarks, Severity::warning,
-            "the fastest vesicle moves its membrane at about Mach {:.2f}; expected at most 0.1 of an incompressible "
-            "fluid; try a smaller bending.modulus or a larger kinematic_viscosity",
+        add(remarks, Severity::warning, "fluid",
+            ": the fastest vesicle moves its membrane at about Mach {:.2f}; expected at most 0.1; try a smaller bending.modulus or a larger kinematic_viscosity",
             plan.mach);
 }
 
@@ -170,20 +162,20 @@ void judge_vesicle(const Parameters& parameters, std::size_t vesicle, const Vesi
     const VesicleType& type = parameters.types[what.type];
     const std::string name = fmt::format("vesicle[{}]", vesicle);
     const double eta = parameters.fluid.density * parameters.fluid.kinematic_viscosity;
-    judge_resolution(name, plan, remarks);
+    judge_bends(parameters.fluid.segregation, name, plan, remarks);
     const auto same_type = [&](const VesicleParameters& other) { return other.type == what.type; };
     const auto first = std::find_if(parameters.vesicles.begin(), parameters.vesicles.end(), same_type);
     if (&*first == &what) judge_stiffness(type, options, remarks);
     if (plan.reynolds && *plan.reynolds > 1.0)
-        add(remarks, Severity::warning,
-            "the Reynolds number of {}'s own motion, kappa/(rho nu^2 R0), is {:.2g}; expected at most 1; try a smaller "
-            "bending.modulus or a larger kinematic_viscosity",
-            name, *plan.reynolds);
+        add(remarks, Severity::warning, name,
+            ": the Reynolds number of its own motion, kappa/(rho nu^2 R0), is {:.2g}; expected at most 1; try a "
+            "smaller bending.modulus or a larger kinematic_viscosity",
+            *plan.reynolds);
     if (plan.inner_relaxation_time > 3.5 || plan.inner_relaxation_time < 0.52)
-        add(remarks, Severity::warning,
-            "vesicle_type.{}.viscosity_ratio is {:g}: the relaxation time inside is {:.3f}; expected between 0.52 and "
+        add(remarks, Severity::warning, "vesicle_type." + type.name + ".viscosity_ratio",
+            " is {:g}: the relaxation time inside is {:.3f}; expected between 0.52 and "
             "3.5; try a kinematic_viscosity of {:.3g}",
-            type.name, type.viscosity_ratio, plan.inner_relaxation_time, 1.0 / (3.0 * std::sqrt(type.viscosity_ratio)));
+            type.viscosity_ratio, plan.inner_relaxation_time, 1.0 / (3.0 * std::sqrt(type.viscosity_ratio)));
     judge_constraint(type, name, eta, plan, remarks);
     judge_path(type, what, name, plan, run, remarks);
 }

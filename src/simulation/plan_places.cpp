@@ -1,5 +1,6 @@
 #include "simulation/plan_judgement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -11,17 +12,19 @@ using Severity = Remark::Severity;
 
 /// What to say of two interfaces this far apart. They are one below zero, overlap below 2/beta and feel each
 /// other's stencils below 2/beta + 2.
-void judge_gap(const std::string& what, const char* remedy, double gap, double width, Remarks& remarks)
+void judge_gap(const std::string& key, const std::string& who, const char* remedy, double gap, double width,
+               Remarks& remarks)
 {
     if (gap > width + 2.0) return;
     if (gap < 0.0)
-        remarks.push_back({Severity::error, fmt::format("{} overlap; expected a gap of at least 2/beta + 2 = {:.1f} "
-                                                        "cells; try {}",
-                                                        what, width + 2.0, remedy)});
+        remarks.push_back({Severity::error, key,
+                           fmt::format("{} overlap; expected a gap of at least 2/beta + 2 = {:.1f} cells; try {}", who,
+                                       width + 2.0, remedy)});
     else
-        remarks.push_back({Severity::warning, fmt::format("{} are {:.1f} cells apart: their interfaces overlap; "
-                                                          "expected at least 2/beta + 2 = {:.1f}; try {}",
-                                                          what, gap, width + 2.0, remedy)});
+        remarks.push_back({Severity::warning, key,
+                           fmt::format("{} are {:.1f} cells apart, so that their interfaces overlap; expected at least "
+                                       "2/beta + 2 = {:.1f}; try {}",
+                                       who, gap, width + 2.0, remedy)});
 }
 
 } // namespace
@@ -49,10 +52,10 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
                     }
             if (smallest >= reach) continue;
             if (a == b)
-                judge_gap(fmt::format("vesicle[{}] and its own periodic image", a), "a larger lattice.size",
+                judge_gap("lattice.size", fmt::format("vesicle[{}] and its own periodic image", a), "a larger lattice.size",
                           smallest, width, remarks);
             else
-                judge_gap(fmt::format("vesicle[{}] and vesicle[{}]", a, b), "other centres", smallest, width, remarks);
+                judge_gap(fmt::format("vesicle[{}].centre", b), fmt::format("vesicle[{}] and vesicle[{}]", a, b), "other centres", smallest, width, remarks);
         }
     }
     for (std::size_t a = 0; a < shapes.size(); ++a) {
@@ -62,7 +65,7 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
         if (vesicle.target_area > 1.001 * vesicle.area && vesicle.target_reduced_volume < 0.95 &&
             widest + width + 2.0 > edge)
             remarks.push_back(
-                {Severity::warning,
+                {Severity::warning, "lattice.size",
                  fmt::format("lattice.size: the discocyte that vesicle[{}] may become is {:.0f} cells wide and would "
                              "meet its own image; expected a box of at least {:.0f}; try that",
                              a, widest, std::ceil(widest + width + 2.0))});
@@ -75,27 +78,27 @@ void judge_schedule(const Parameters& parameters, const RunParameters& run, cons
     if (run.stop_when_steady) {
         const SteadyCriterion& steady = *run.stop_when_steady;
         if (output.metrics_every == 0)
-            remarks.push_back({Severity::error, "run.stop_when_steady is judged from the metrics, and "
+            remarks.push_back({Severity::error, "run.stop_when_steady", "run.stop_when_steady is judged from the metrics, and "
                                                 "output.metrics is missing; try output.metrics = { every = 200 }"});
         else if (steady.over < output.metrics_every)
             remarks.push_back(
-                {Severity::error,
+                {Severity::error, "run.stop_when_steady.over",
                  fmt::format("run.stop_when_steady.over is {}; expected at least output.metrics.every, which is {}; "
                              "try over = {}",
                              steady.over, output.metrics_every, 10 * output.metrics_every)});
         bool bends = false;
         for (const VesicleType& type : parameters.types) bends = bends || type.bending.modulus > 0.0;
         if (steady.quantity == "bending_energy" && !bends)
-            remarks.push_back({Severity::error, "run.stop_when_steady.quantity is bending_energy, and no vesicle "
+            remarks.push_back({Severity::error, "run.stop_when_steady.quantity", "run.stop_when_steady.quantity is bending_energy, and no vesicle "
                                                 "bends; try \"area\""});
     }
     if (run.wall_time && output.checkpoint_every == 0)
-        remarks.push_back({Severity::note, "run.wall_time: the checkpoint written when it is used up is the only one; "
+        remarks.push_back({Severity::note, "run.wall_time", "run.wall_time: the checkpoint written when it is used up is the only one; "
                                            "output.checkpoint would add others"});
     if (output.fields && output.fields->average && output.checkpoint_every > 0 &&
         output.checkpoint_every % output.fields->every != 0)
         remarks.push_back(
-            {Severity::note, "output.fields.average: after a resume from a checkpoint between two outputs, the first "
+            {Severity::note, "output.fields.average", "output.fields.average: after a resume from a checkpoint between two outputs, the first "
                              "average begins at the checkpoint; make output.checkpoint.every a multiple of "
                              "output.fields.every to avoid it"});
 }

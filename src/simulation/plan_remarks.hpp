@@ -10,7 +10,8 @@ namespace vesica {
 struct Remark {
     enum class Severity { note, warning, error };
     Severity severity = Severity::note;
-    std::string text;
+    std::string key;  ///< path in the case file of what to look at, for its place; may be empty
+    std::string text; ///< `path.key is VALUE: ...; expected ...; try ...`
 };
 
 using Remarks = std::vector<Remark>;
