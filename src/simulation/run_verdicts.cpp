@@ -14,9 +14,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-void settle(Verdict& verdict)
+Verdict compare(const std::string& name, int vesicle, const std::string& what, double found, double expected,
+                double tolerance)
 {
-    verdict.passed = std::abs(verdict.found - verdict.expected) <= verdict.tolerance;
+    return {name, std::abs(found - expected) <= tolerance,
+            fmt::format("vesicle {}: {} is {:.8g}, expected {:.8g} within {:.2g}", vesicle, what, found, expected,
+                        tolerance)};
 }
 
 struct Branch {
@@ -52,56 +55,48 @@ std::optional<Branch> nearest_branch(double reduced_volume, double energy)
     return nearest;
 }
 
-void judge_energy(const VesicleType& type, RunEnd end, const MetricsRow& row, int vesicle,
-                  std::vector<Verdict>& verdicts)
+void judge_energy(const VesicleType& type, const MetricsRow& row, int vesicle, std::vector<Verdict>& verdicts)
 {
     const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form);
     const bool held = !std::holds_alternative<NoConstraint>(type.area.constraint);
     if (type.bending.modulus <= 0.0 || helfrich == nullptr || helfrich->spontaneous_curvature != 0.0 || !held) return;
     const auto branch = nearest_branch(row.reduced_volume, row.bending_energy);
     if (!branch) return;
-    Verdict verdict{"bending_energy", vesicle,
-                    fmt::format("is the bending energy that of the exact {} of reduced volume {:.4f}?", branch->name,
-                                row.reduced_volume),
-                    row.bending_energy, branch->energy, 0.02 * branch->energy, std::nullopt};
-    // A shape on its way need not be a minimum.
-    if (end == RunEnd::steady) settle(verdict);
-    verdicts.push_back(verdict);
+    const std::string what = fmt::format("the energy over 8 pi kappa, compared with the exact {} of reduced volume "
+                                         "{:.4f},",
+                                         branch->name, row.reduced_volume);
+    verdicts.push_back(
+        compare("bending_energy", vesicle, what, row.bending_energy, branch->energy, 0.02 * branch->energy));
 }
 
 } // namespace
 
 std::vector<Verdict> judge_run(const Parameters& parameters, const RunParameters& run, RunEnd end,
-                               std::int64_t steps, const std::vector<MetricsRow>& last)
+                               const std::vector<MetricsRow>& last)
 {
     std::vector<Verdict> verdicts;
-    Verdict completed{"completed", -1, "did the run do all its steps, or become steady before?",
-                      static_cast<double>(steps), static_cast<double>(run.steps), 0.0,
-                      end == RunEnd::finished || end == RunEnd::steady};
-    verdicts.push_back(completed);
-    if (run.stop_when_steady)
-        verdicts.push_back({"steady", -1,
-                            fmt::format("did {} settle to {:g} over {} steps?", run.stop_when_steady->quantity,
-                                        run.stop_when_steady->relative_change, run.stop_when_steady->over),
-                            end == RunEnd::steady ? 1.0 : 0.0, 1.0, 0.0, end == RunEnd::steady});
+    const bool completed = end == RunEnd::finished || end == RunEnd::steady;
+    verdicts.push_back({"completed", completed,
+                        completed ? "the run came to its end" : "the run ended before its last step"});
+    if (run.stop_when_steady) {
+        const SteadyCriterion& steady = *run.stop_when_steady;
+        verdicts.push_back({"steady", end == RunEnd::steady,
+                            fmt::format("{} {} to {:g} over {} steps", steady.quantity,
+                                        end == RunEnd::steady ? "settled" : "did not settle", steady.relative_change,
+                                        steady.over)});
+    }
+    const double round_off = parameters.numerics.precision == Precision::double_precision ? 1e-11 : 1e-5;
     for (std::size_t index = 0; index < last.size(); ++index) {
         const MetricsRow& row = last[index];
         const int vesicle = static_cast<int>(index);
         const VesicleType& type = parameters.types[parameters.vesicles[index].type];
-        if (std::holds_alternative<MultiplierConstraint>(type.area.constraint)) {
-            Verdict area{"area", vesicle, "is the area its target?", row.area_ratio, 1.0, 1e-4, std::nullopt};
-            if (!type.area.deflation || row.step >= static_cast<double>(type.area.ramp)) settle(area);
-            verdicts.push_back(area);
-        }
-        const double round_off = parameters.numerics.precision == Precision::double_precision ? 1e-11 : 1e-5;
-        Verdict mass{"mass", vesicle, "is the vesicle's mass what it was?", row.mass_drift, 0.0, round_off, std::nullopt};
-        settle(mass);
-        verdicts.push_back(mass);
-        Verdict topology{"gauss_bonnet", vesicle, "is int K dA that of a closed surface without holes, 4 pi?",
-                         row.gaussian_curvature_over_pi, 4.0, 0.005 * 4.0, std::nullopt};
-        settle(topology);
-        verdicts.push_back(topology);
-        judge_energy(type, end, row, vesicle, verdicts);
+        const bool at_target = !type.area.deflation || row.step >= static_cast<double>(type.area.ramp);
+        if (std::holds_alternative<MultiplierConstraint>(type.area.constraint) && at_target)
+            verdicts.push_back(compare("area", vesicle, "the area over its target", row.area_ratio, 1.0, 1e-4));
+        verdicts.push_back(compare("mass", vesicle, "the relative change of its mass", row.mass_drift, 0.0, round_off));
+        verdicts.push_back(compare("gauss_bonnet", vesicle, "int K dA over pi", row.gaussian_curvature_over_pi, 4.0,
+                                   0.005 * 4.0));
+        if (end == RunEnd::steady) judge_energy(type, row, vesicle, verdicts);
     }
     return verdicts;
 }

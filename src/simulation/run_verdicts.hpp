@@ -1,29 +1,18 @@
 #pragma once
 
 #include "case/parameters.hpp"
+#include "io/run_summary.hpp"
 #include "measure/metrics.hpp"
 #include "simulation/run_loop.hpp"
 
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace vesica {
 
-/// One question asked of a finished run. `passed` is absent where the question has no answer: the run was not meant
-/// to, or not over.
-struct Verdict {
-    std::string name;       ///< "area", "mass", ...
-    int vesicle = -1;       ///< -1: the run as a whole
-    std::string question;   ///< a sentence
-    double found = 0.0;
-    double expected = 0.0;
-    double tolerance = 0.0; ///< of found - expected, absolute
-    std::optional<bool> passed;
-};
-
-/// Judges the last sample of a run of `steps` steps.
+/// What the last sample of a run says about the run: area held, mass conserved, topology kept and, for a steady
+/// vesicle without spontaneous curvature, the energy of the exact shape (Helfrich 1973). A question that has no
+/// answer is not asked: about the area before the ramp is over, about the energy of a shape on its way.
 std::vector<Verdict> judge_run(const Parameters& parameters, const RunParameters& run, RunEnd end,
-                               std::int64_t steps, const std::vector<MetricsRow>& last);
+                               const std::vector<MetricsRow>& last);
 
 } // namespace vesica

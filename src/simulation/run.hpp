@@ -1,0 +1,45 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "simulation/plan.hpp"
+#include "simulation/plan_cost.hpp"
+#include "simulation/run_loop.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+
+namespace vesica {
+
+struct RunOptions {
+    std::filesystem::path directory;  ///< DIR
+    bool overwrite = false;
+    int threads = 0;                  ///< 0: as many as default_threads()
+    PlanOptions plan;
+    std::ostream* out = nullptr;      ///< for progress and a word at the beginning and the end; null: silent
+    bool terminal = false;            ///< whether `out` is one
+    EngineFactory factory;            ///< empty: make_engine
+};
+
+/// Exit statuses of the program, for whoever runs a case.
+enum class ExitStatus { done = 0, run_failed = 1, input_wrong = 2, stopped = 3 };
+
+struct RunOutcome {
+    ExitStatus status = ExitStatus::done;
+    RunEnd end = RunEnd::finished;
+    std::int64_t step = 0;
+    std::string message; ///< what to tell the user when it did not end well
+};
+
+/// Runs a case into DIR: case.toml, resolved.toml, log.txt, metrics.csv, fields, surfaces, checkpoints and at last
+/// summary.json. Throws InputError if the case or the directory cannot serve; nothing is written then. What goes
+/// wrong later is in the outcome, and everything written before it stays.
+RunOutcome run_case(const Case& what, const RunOptions& options);
+
+/// Continues the run in DIR from its newest intact checkpoint, bit for bit as if it had never stopped, up to `steps`
+/// in total if given. Throws InputError if there is nothing to continue.
+RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options);
+
+} // namespace vesica
