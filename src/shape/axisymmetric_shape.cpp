@@ -5,12 +5,9 @@
 
 namespace vesica {
 
-AxisymmetricShape::AxisymmetricShape(Meridian meridian) : meridian_(std::move(meridian))
-{
-}
+AxisymmetricShape::AxisymmetricShape(Meridian meridian) : meridian_(std::move(meridian)) {}
 
-Foot AxisymmetricShape::foot(const Vec3<double>& position) const
-{
+Foot AxisymmetricShape::foot(const Vec3<double>& position) const {
     const double r = std::hypot(position.x, position.y);
     const MeridianFoot f = closest(r, position.z);
     // On the axis every azimuth is as good as the other.
@@ -19,8 +16,7 @@ Foot AxisymmetricShape::foot(const Vec3<double>& position) const
     return {f.distance, {f.normal_r * cosine, f.normal_r * sine, f.normal_z}};
 }
 
-double AxisymmetricShape::signed_distance(const Vec3<double>& position) const
-{
+double AxisymmetricShape::signed_distance(const Vec3<double>& position) const {
     return closest(std::hypot(position.x, position.y), position.z).distance;
 }
 

@@ -11,8 +11,8 @@ struct Foot {
     Vec3<double> normal{};
 };
 
-/// A surface of revolution in its own frame: axis z, centre of volume at the origin. The closest point is that
-/// of the meridian, exact to round-off everywhere.
+/// A surface of revolution in its own frame: axis z, centre of volume at the origin. The closest point is
+/// that of the meridian, exact to round-off everywhere.
 class AxisymmetricShape : public Shape {
 public:
     explicit AxisymmetricShape(Meridian meridian);

@@ -5,8 +5,7 @@
 
 namespace vesica {
 
-Meridian evans_fung_meridian()
-{
+Meridian evans_fung_meridian() {
     // The published coefficients are micrometres at R = 3.91 um; these are divided by R.
     constexpr double c0 = 0.20716, c1 = 2.00256, c2 = -1.12276;
     // r = sin t makes the square root cos t, so that the rim is as smooth as everything else.
@@ -18,12 +17,9 @@ Meridian evans_fung_meridian()
             const double dq = 2.0 * s * c, ddq = 2.0 * (c * c - s * s);
             const double dheight = slope * dq;
             const double ddheight = c2 * dq * dq + slope * ddq;
-            return MeridianPoint{s,
-                                 c * height,
-                                 c,
-                                 -s * height + c * dheight,
-                                 -s,
-                                 -c * height - 2.0 * s * dheight + c * ddheight};
+            return MeridianPoint{s,  c * height,
+                                 c,  -s * height + c * dheight,
+                                 -s, -c * height - 2.0 * s * dheight + c * ddheight};
         },
         std::numbers::pi);
 }

@@ -13,17 +13,16 @@ namespace {
 
 constexpr int points_per_block = 32;
 
-std::vector<MeridianPoint> sample(const Meridian::Curve& curve, double length, int pieces)
-{
+std::vector<MeridianPoint> sample(const Meridian::Curve& curve, double length, int pieces) {
     std::vector<MeridianPoint> points;
     points.reserve(static_cast<std::size_t>(pieces) + 1);
-    for (int i = 0; i <= pieces; ++i) points.push_back(curve(length * i / pieces));
+    for (int i = 0; i <= pieces; ++i)
+        points.push_back(curve(length * i / pieces));
     return points;
 }
 
 /// Coefficients in u in [0, 1] of the quintic with the values and two derivatives of both ends.
-void hermite(double (&c)[6], double h, double p0, double d0, double s0, double p1, double d1, double s1)
-{
+void hermite(double (&c)[6], double h, double p0, double d0, double s0, double p1, double d1, double s1) {
     const double rise = p1 - p0;
     const double v0 = h * d0, v1 = h * d1, a0 = h * h * s0, a1 = h * h * s1;
     c[0] = p0;
@@ -34,37 +33,32 @@ void hermite(double (&c)[6], double h, double p0, double d0, double s0, double p
     c[5] = 6.0 * rise - 3.0 * v0 - 3.0 * v1 - 0.5 * a0 + 0.5 * a1;
 }
 
-double squared(double x)
-{
+double squared(double x) {
     return x * x;
 }
 
 } // namespace
 
-double MeridianPoint::speed() const
-{
+double MeridianPoint::speed() const {
     return std::hypot(dr, dz);
 }
 
-double MeridianPoint::meridional_curvature() const
-{
+double MeridianPoint::meridional_curvature() const {
     const double v = speed();
     return (dz * ddr - dr * ddz) / (v * v * v);
 }
 
-double MeridianPoint::azimuthal_curvature() const
-{
-    if (std::abs(r) < 1e-6 * speed()) return meridional_curvature();
+double MeridianPoint::azimuthal_curvature() const {
+    if (std::abs(r) < 1e-6 * speed())
+        return meridional_curvature();
     return -dz / (r * speed());
 }
 
-Meridian::Meridian(const Curve& curve, double length, int pieces) : Meridian(sample(curve, length, pieces), length)
-{
-}
+Meridian::Meridian(const Curve& curve, double length, int pieces)
+    : Meridian(sample(curve, length, pieces), length) {}
 
 Meridian::Meridian(std::vector<MeridianPoint> points, double length)
-    : points_(std::move(points)), length_(length), step_(length / static_cast<double>(points_.size() - 1))
-{
+    : points_(std::move(points)), length_(length), step_(length / static_cast<double>(points_.size() - 1)) {
     points_.front().r = points_.back().r = 0.0;
     pieces_.resize(points_.size() - 1);
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
@@ -84,8 +78,7 @@ Meridian::Meridian(std::vector<MeridianPoint> points, double length)
     integrate();
 }
 
-void Meridian::integrate()
-{
+void Meridian::integrate() {
     using std::numbers::pi;
     for (const MeridianSample& s : samples()) {
         const MeridianPoint& p = s.point;
@@ -97,14 +90,13 @@ void Meridian::integrate()
     centre_ /= volume_;
     for (const MeridianPoint& p : points_) {
         bounding_radius_ = std::max(bounding_radius_, std::hypot(p.r, p.z));
-        largest_curvature_ = std::max({largest_curvature_, std::abs(p.meridional_curvature()),
-                                       std::abs(p.azimuthal_curvature())});
+        largest_curvature_ = std::max(
+            {largest_curvature_, std::abs(p.meridional_curvature()), std::abs(p.azimuthal_curvature())});
     }
     bounding_radius_ += longest_chord_ / 2.0;
 }
 
-std::vector<MeridianSample> Meridian::samples(int stride) const
-{
+std::vector<MeridianSample> Meridian::samples(int stride) const {
     std::vector<MeridianSample> result;
     for (int begin = 0; begin < pieces(); begin += stride) {
         const int end = std::min(begin + stride, pieces());
@@ -115,8 +107,7 @@ std::vector<MeridianSample> Meridian::samples(int stride) const
     return result;
 }
 
-Meridian Meridian::normalised(double radius) const
-{
+Meridian Meridian::normalised(double radius) const {
     const double factor = radius / std::cbrt(volume_ * 3.0 / (4.0 * std::numbers::pi));
     std::vector<MeridianPoint> scaled = points_;
     for (MeridianPoint& p : scaled)
@@ -125,8 +116,7 @@ Meridian Meridian::normalised(double radius) const
     return Meridian(std::move(scaled), length_);
 }
 
-MeridianPoint Meridian::evaluate(int piece, double u) const
-{
+MeridianPoint Meridian::evaluate(int piece, double u) const {
     const auto value = [u](const double(&c)[6]) {
         return c[0] + u * (c[1] + u * (c[2] + u * (c[3] + u * (c[4] + u * c[5]))));
     };
@@ -137,21 +127,25 @@ MeridianPoint Meridian::evaluate(int piece, double u) const
         return 2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * 20.0 * c[5]));
     };
     const Piece& p = pieces_[static_cast<std::size_t>(piece)];
-    return {value(p.r),         value(p.z),         slope(p.r) / step_,
-            slope(p.z) / step_, bend(p.r) / (step_ * step_), bend(p.z) / (step_ * step_)};
+    return {value(p.r),
+            value(p.z),
+            slope(p.r) / step_,
+            slope(p.z) / step_,
+            bend(p.r) / (step_ * step_),
+            bend(p.z) / (step_ * step_)};
 }
 
-MeridianPoint Meridian::at(double t) const
-{
+MeridianPoint Meridian::at(double t) const {
     const int piece = std::clamp(static_cast<int>(t / step_), 0, pieces() - 1);
     return evaluate(piece, t / step_ - piece);
 }
 
 /// Newton's method for the stationary point of the squared distance next to a sampled point, kept between its
 /// neighbours by bisection. Returns the parameter.
-double Meridian::refine(double r, double z, int node) const
-{
-    const auto stationarity = [&](const MeridianPoint& p) { return (p.r - r) * p.dr + (p.z - z) * p.dz; };
+double Meridian::refine(double r, double z, int node) const {
+    const auto stationarity = [&](const MeridianPoint& p) {
+        return (p.r - r) * p.dr + (p.z - z) * p.dz;
+    };
     double low = step_ * std::max(node - 1, 0);
     double high = step_ * std::min(node + 1, pieces());
     double t = step_ * node;
@@ -161,16 +155,17 @@ double Meridian::refine(double r, double z, int node) const
         (f > 0.0 ? high : low) = t;
         const double slope = squared(p.dr) + squared(p.dz) + (p.r - r) * p.ddr + (p.z - z) * p.ddz;
         double next = t - f / slope;
-        if (!(slope > 0.0) || next < low || next > high) next = 0.5 * (low + high);
+        if (!(slope > 0.0) || next < low || next > high)
+            next = 0.5 * (low + high);
         const double change = std::abs(next - t);
         t = next;
-        if (change <= 1e-14 * length_) break;
+        if (change <= 1e-14 * length_)
+            break;
     }
     return t;
 }
 
-MeridianFoot Meridian::closest(double r, double z) const
-{
+MeridianFoot Meridian::closest(double r, double z) const {
     double bound = std::numeric_limits<double>::max();
     for (const Block& block : blocks_)
         bound = std::min(bound, std::hypot(block.r - r, block.z - z) + block.radius);
@@ -189,13 +184,16 @@ MeridianFoot Meridian::closest(double r, double z) const
     };
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         const Block& block = blocks_[b];
-        if (std::hypot(block.r - r, block.z - z) - block.radius > bound + longest_chord_) continue;
+        if (std::hypot(block.r - r, block.z - z) - block.radius > bound + longest_chord_)
+            continue;
         const int begin = static_cast<int>(b) * points_per_block;
         const int end = std::min(begin + points_per_block, last + 1);
         for (int i = begin; i < end; ++i) {
             const double here = squared_distance(i);
-            if (i > 0 && squared_distance(i - 1) < here) continue;
-            if (i < last && squared_distance(i + 1) < here) continue;
+            if (i > 0 && squared_distance(i - 1) < here)
+                continue;
+            if (i < last && squared_distance(i + 1) < here)
+                continue;
             const double distance = std::sqrt(here);
             candidates.push_back({i, distance});
             bound = std::min(bound, distance);
@@ -205,10 +203,12 @@ MeridianFoot Meridian::closest(double r, double z) const
     MeridianFoot best;
     double best_distance = std::numeric_limits<double>::max();
     for (const Candidate& candidate : candidates) {
-        if (candidate.distance > bound + longest_chord_) continue;
+        if (candidate.distance > bound + longest_chord_)
+            continue;
         const MeridianPoint p = at(refine(r, z, candidate.node));
         const double distance = std::hypot(r - p.r, z - p.z);
-        if (distance >= best_distance) continue;
+        if (distance >= best_distance)
+            continue;
         best_distance = distance;
         const double v = p.speed();
         best.normal_r = -p.dz / v;

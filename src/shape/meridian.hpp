@@ -34,9 +34,9 @@ struct MeridianFoot {
     double normal_z = 0.0;
 };
 
-/// The curve (r(t), z(t)) from the north to the south pole whose rotation about the z axis encloses a vesicle:
-/// the outward normal is (-dz, dr)/speed. Kept as quintic Hermite pieces between densely sampled points, which
-/// is exact to round-off for curves that bend over many pieces.
+/// The curve (r(t), z(t)) from the north to the south pole whose rotation about the z axis encloses a
+/// vesicle: the outward normal is (-dz, dr)/speed. Kept as quintic Hermite pieces between densely sampled
+/// points, which is exact to round-off for curves that bend over many pieces.
 class Meridian {
 public:
     using Curve = std::function<MeridianPoint(double t)>;

@@ -2,22 +2,23 @@
 
 #include "core/input_error.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 namespace vesica {
 
-Frame Frame::along(const Vec3<double>& axis)
-{
+Frame Frame::along(const Vec3<double>& axis) {
     const double length = norm(axis);
     if (!(length > 0.0) || !std::isfinite(length))
-        throw InputError(fmt::format("axis is [{}, {}, {}]; expected a direction; try [0, 0, 1]", axis.x, axis.y,
-                                     axis.z));
+        throw InputError(
+            fmt::format("axis is [{}, {}, {}]; expected a direction; try [0, 0, 1]", axis.x, axis.y, axis.z));
     const Vec3<double> a = (1.0 / length) * axis;
     const double q = a.x * a.x + a.y * a.y;
     if (q == 0.0) {
-        if (a.z > 0.0) return {};
+        if (a.z > 0.0)
+            return {};
         return {{1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}};
     }
     // Rodrigues' rotation about e_z x a; (1 - cos)/sin^2 = 1/(1 + cos), written so that it holds near -e_z.
@@ -26,8 +27,6 @@ Frame Frame::along(const Vec3<double>& axis)
 }
 
 PlacedShape::PlacedShape(std::unique_ptr<const Shape> shape, const Vec3<double>& centre, const Frame& frame)
-    : shape_(std::move(shape)), centre_(centre), frame_(frame)
-{
-}
+    : shape_(std::move(shape)), centre_(centre), frame_(frame) {}
 
 } // namespace vesica

@@ -25,8 +25,7 @@ class PlacedShape final : public Shape {
 public:
     PlacedShape(std::unique_ptr<const Shape> shape, const Vec3<double>& centre, const Frame& frame);
 
-    double signed_distance(const Vec3<double>& position) const override
-    {
+    double signed_distance(const Vec3<double>& position) const override {
         return shape_->signed_distance(frame_.components(position - centre_));
     }
     double bounding_radius() const override { return shape_->bounding_radius(); }

@@ -8,8 +8,7 @@
 namespace vesica {
 namespace {
 
-Meridian ellipse(double width, double height)
-{
+Meridian ellipse(double width, double height) {
     return Meridian(
         [=](double t) {
             const double c = std::cos(t), s = std::sin(t);
@@ -22,11 +21,11 @@ Meridian ellipse(double width, double height)
 /// Eberly 2013, "Distance from a point to an ellipse": x = a^2 p/(t + a^2), y = b^2 q/(t + b^2) with t the
 /// largest root of F(t) = (a p/(t + a^2))^2 + (b q/(t + b^2))^2 - 1. F falls and is convex there, so Newton's
 /// method from the left climbs to the root without leaving the interval, whatever the point.
-std::pair<double, double> closest_on_ellipse(double a, double b, double p, double q)
-{
+std::pair<double, double> closest_on_ellipse(double a, double b, double p, double q) {
     if (q == 0.0) {
         const double numerator = a * p, denominator = a * a - b * b;
-        if (numerator >= denominator) return {a, 0.0};
+        if (numerator >= denominator)
+            return {a, 0.0};
         const double fraction = numerator / denominator;
         return {a * fraction, b * std::sqrt(1.0 - fraction * fraction)};
     }
@@ -38,7 +37,8 @@ std::pair<double, double> closest_on_ellipse(double a, double b, double p, doubl
         const double f = x * x + y * y - 1.0;
         const double slope = -2.0 * (x * x / (tau + excess) + y * y / tau);
         const double next = tau - f / slope;
-        if (!(next > tau)) break;
+        if (!(next > tau))
+            break;
         tau = next;
     }
     return {a * a * p / (tau + excess), b * b * q / tau};
@@ -48,12 +48,10 @@ std::pair<double, double> closest_on_ellipse(double a, double b, double p, doubl
 
 Spheroid::Spheroid(double radius, double aspect)
     : AxisymmetricShape(ellipse(radius / std::cbrt(aspect), radius * std::cbrt(aspect * aspect))),
-      width_(radius / std::cbrt(aspect)), height_(radius * std::cbrt(aspect * aspect))
-{
-}
+      width_(radius / std::cbrt(aspect)),
+      height_(radius * std::cbrt(aspect * aspect)) {}
 
-MeridianFoot Spheroid::closest(double r, double z) const
-{
+MeridianFoot Spheroid::closest(double r, double z) const {
     const double up = std::abs(z);
     double x = 0.0, y = 0.0;
     if (width_ >= height_)
