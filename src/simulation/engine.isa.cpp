@@ -1,0 +1,15 @@
+// Compiled once per instruction set; see cmake/instruction_sets.cmake.
+#include "simulation/engine_checkpoint.hpp"
+#include "simulation/engine_entries.hpp"
+#include "simulation/engine_fields.hpp"
+#include "simulation/engine_snapshot.hpp"
+
+namespace vesica {
+
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(VESICA_ISA)(const EngineSetup& setup)
+{
+    if (setup.precision == Precision::single_precision) return std::make_unique<LatticeEngine<float>>(setup);
+    return std::make_unique<LatticeEngine<double>>(setup);
+}
+
+} // namespace vesica

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "core/input_error.hpp"
+#include "simulation/lattice_engine.hpp"
+
+#include <cmath>
+
+namespace vesica {
+
+/// The fastest cell of the box; not a number counts as faster than anything.
+template <class Real>
+typename LatticeEngine<Real>::Fastest LatticeEngine<Real>::fastest() const
+{
+    const Vec3<int> size = grid_.size();
+    const std::int64_t rows = std::int64_t{size.y} * size.z;
+    std::vector<Fastest> of_row(static_cast<std::size_t>(rows));
+    for_each_index(rows, setup_.threads, [&](std::int64_t r) {
+        const int y = static_cast<int>(r % size.y);
+        const int z = static_cast<int>(r / size.y);
+        Fastest& best = of_row[static_cast<std::size_t>(r)];
+        for (int x = 0; x < size.x; ++x) {
+            const std::int64_t cell = grid_.index(x, y, z);
+            const Moments<double> m = moments_at(cell);
+            const double speed = norm(velocity_of(m, setup_.reference_density, force_at(cell)));
+            if (!(speed <= best.speed)) best = {speed, {x, y, z}, setup_.reference_density + m.density_deviation};
+            if (std::isnan(speed)) return;
+        }
+    });
+    Fastest best;
+    for (const Fastest& row : of_row) {
+        if (!(row.speed <= best.speed)) best = row;
+        if (std::isnan(best.speed)) break;
+    }
+    return best;
+}
+
+template <class Real>
+DenseField LatticeEngine<Real>::field(std::string_view name) const
+{
+    const Vec3<int> size = grid_.size();
+    const bool vector = name == "velocity" || name == "force" || name == "normal";
+    DenseField field{size, vector ? 3 : 1, {}};
+    field.values.assign(static_cast<std::size_t>(grid_.volume() * field.components), 0.0);
+    const auto fill = [&](const auto& value_at) {
+        for_each_index(std::int64_t{size.y} * size.z, setup_.threads, [&](std::int64_t r) {
+            const int y = static_cast<int>(r % size.y);
+            const int z = static_cast<int>(r / size.y);
+            for (int x = 0; x < size.x; ++x) {
+                const std::int64_t cell = grid_.index(x, y, z);
+                const auto at = static_cast<std::size_t>((r * size.x + x) * field.components);
+                value_at(cell, field.values.data() + at);
+            }
+        });
+    };
+    // The value of a compact array, and whether the cell belongs to the band at all.
+    const auto layer_value = [&](const std::vector<Real>& array, std::int64_t cell, double outside) {
+        const std::int32_t slot = layer_.empty() ? -1 : layer_.band().slot_of_tile(cell / tile_width);
+        return slot < 0 ? outside : static_cast<double>(array[static_cast<std::size_t>(slot + cell % tile_width)]);
+    };
+    const LayerFields<Real>& layer = layer_.fields();
+    if (name == "phase") {
+        std::vector<std::uint8_t> in_band(layer_.inside().size(), 0);
+        for (const BandTile& t : layer_.band().tiles())
+            in_band[static_cast<std::size_t>(t.tile)] = t.bits[Band::outermost];
+        fill([&](std::int64_t cell, double* out) {
+            const auto tile = static_cast<std::size_t>(cell / tile_width);
+            const auto bit = cell % tile_width;
+            const bool red = (layer_.inside()[tile] >> bit & 1) != 0;
+            *out = (in_band[tile] >> bit & 1) != 0 ? phase_of(layer_value(layer.chi, cell, 0.0)) : red ? 1.0 : -1.0;
+        });
+    } else if (name == "density" || name == "pressure") {
+        const double scale = name == "pressure" ? sound_speed_squared : 1.0;
+        fill([&](std::int64_t cell, double* out) {
+            const double deviation = moments_at(cell).density_deviation;
+            *out = name == "pressure" ? scale * deviation : setup_.reference_density + deviation;
+        });
+    } else if (name == "velocity") {
+        fill([&](std::int64_t cell, double* out) {
+            const Vec3<double> u = velocity_of(moments_at(cell), setup_.reference_density, force_at(cell));
+            for (int a = 0; a < 3; ++a) out[a] = u[a];
+        });
+    } else if (name == "force") {
+        fill([&](std::int64_t cell, double* out) {
+            const Vec3<double> F = force_at(cell);
+            for (int a = 0; a < 3; ++a) out[a] = F[a];
+        });
+    } else if (name == "normal") {
+        fill([&](std::int64_t cell, double* out) {
+            for (int a = 0; a < 3; ++a) out[a] = layer_value(layer.n[a], cell, 0.0);
+        });
+    } else if (name == "mean_curvature") {
+        fill([&](std::int64_t cell, double* out) { *out = layer_value(layer.H0, cell, 0.0); });
+    } else if (name == "gaussian_curvature") {
+        fill([&](std::int64_t cell, double* out) { *out = layer_value(layer.K0, cell, 0.0); });
+    } else if (name == "bending_force" || name == "tension_force") {
+        std::vector<Real> values(layer.H0.size(), Real(0));
+        for (const std::int32_t index : layer_.band().of_level(reach::force)) {
+            const BandTile& t = layer_.band().tiles()[static_cast<std::size_t>(index)];
+            const V H = V::load(layer.H0.data() + t.slot());
+            const V K = V::load(layer.K0.data() + t.slot());
+            const V bending = std::visit([&](const auto& law) { return law.force(H, K, layer_.laplace_beltrami_of_H(t)); },
+                                         membrane_.bending);
+            const V value = name == "bending_force" ? bending : TensionLaw{membrane_.tension()}.force(H);
+            select<Real>(V::mask(t.bits[reach::force]), value, V(0)).store(values.data() + t.slot());
+        }
+        fill([&](std::int64_t cell, double* out) { *out = layer_value(values, cell, 0.0); });
+    } else {
+        throw InputError("field \"" + std::string(name) + "\" is unknown");
+    }
+    return field;
+}
+
+/// Speeds beyond the range of the equilibrium, densities far from the reference, forces that would move a cell's
+/// fluid by a fair part of its sound speed within a step: a run that shows them is lost.
+template <class Real>
+std::optional<Trouble> LatticeEngine<Real>::trouble() const
+{
+    const auto text = [](const char* what, double found, double limit) {
+        return std::string(what) + " is " + std::to_string(found) + ", beyond " + std::to_string(limit);
+    };
+    const double fastest_allowed = 0.3;
+    const double density_allowed = 0.3 * setup_.reference_density;
+    const double force_allowed = 0.1 * setup_.reference_density;
+    const Fastest fast = fastest();
+    const Vec3<double> F = force_at(grid_.index(fast.cell));
+    const std::int64_t fast_index = grid_.index(fast.cell);
+    const bool in_layer = !layer_.empty() && layer_.band().slot_of_tile(fast_index / tile_width) >= 0;
+    const int vesicle = in_layer ? 0 : -1;
+    if (!layer_.empty() && !std::isfinite(membrane_.tension()))
+        return Trouble{step_, fast.cell, 0, "tension is not a number"};
+    if (!(norm(F) <= force_allowed)) return Trouble{step_, fast.cell, vesicle, text("force", norm(F), force_allowed)};
+    if (!(std::abs(fast.density - setup_.reference_density) <= density_allowed))
+        return Trouble{step_, fast.cell, vesicle,
+                       text("density", fast.density, setup_.reference_density + density_allowed)};
+    if (!(fast.speed <= fastest_allowed))
+        return Trouble{step_, fast.cell, vesicle, text("speed", fast.speed, fastest_allowed)};
+    return std::nullopt;
+}
+
+} // namespace vesica

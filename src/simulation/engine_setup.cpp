@@ -1,0 +1,92 @@
+#include "simulation/engine_setup.hpp"
+
+#include "collision/relaxation.hpp"
+#include "measure/layer_moment.hpp"
+#include "shape/shape.hpp"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace vesica {
+
+namespace {
+
+BendingLaw bending_law(const BendingParameters& bending)
+{
+    if (const auto* helfrich = std::get_if<HelfrichBending>(&bending.form))
+        return HelfrichLaw{bending.modulus, helfrich->spontaneous_curvature};
+    return PaperBendingLaw{bending.modulus, std::get<PaperBending>(bending.form).laplacian_coefficient};
+}
+
+/// Gains of the area's controller for a vesicle of radius R in a fluid of viscosity eta: a quarter of the largest
+/// explicit stiffness eta R, integral and derivative times from the time momentum needs across the layer and the
+/// vesicle.
+AreaMultiplier::Gains controller_gains(const VesicleType& type, double radius, double dynamic_viscosity, double nu)
+{
+    AreaMultiplier::Gains gains;
+    gains.proportional = 0.25 * dynamic_viscosity * radius;
+    gains.integral_time = 0.5 * radius * radius / nu;
+    gains.derivative_time = 0.0;
+    // The sphere's mode l = 3 buckles at sigma R^2/kappa = -12. A membrane that cannot bend resists no compression.
+    gains.lowest_tension = -12.0 * type.bending.modulus / (radius * radius) - type.sigma;
+    return gains;
+}
+
+AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosity, double nu)
+{
+    struct Choose {
+        const VesicleType& type;
+        double radius;
+        double eta;
+        double nu;
+        AreaLaw operator()(const NoConstraint&) const { return FreeArea{}; }
+        AreaLaw operator()(const MultiplierConstraint&) const
+        {
+            return AreaMultiplier(controller_gains(type, radius, eta, nu));
+        }
+        AreaLaw operator()(const PenaltyConstraint& penalty) const { return AreaPenalty{penalty.modulus}; }
+        AreaLaw operator()(const PaperConstraint& paper) const { return PaperAreaPenalty{paper.alpha}; }
+    };
+    return std::visit(Choose{type, radius, dynamic_viscosity, nu}, type.area.constraint);
+}
+
+} // namespace
+
+EngineSetup make_engine_setup(const Parameters& parameters, int threads)
+{
+    EngineSetup setup;
+    const FluidParameters& fluid = parameters.fluid;
+    setup.size = parameters.size;
+    setup.reference_density = fluid.density;
+    setup.rates.outer = setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity);
+    setup.ghosts = fluid.ghosts;
+    setup.precision = parameters.numerics.precision;
+    setup.threads = threads;
+    setup.layer = {fluid.segregation, fluid.density, parameters.numerics.cutoff, parameters.numerics.geometry};
+    setup.layer_moment = lattice_layer_moments(fluid.segregation).area;
+    if (parameters.vesicles.empty()) return setup;
+
+    const VesicleParameters& vesicle = parameters.vesicles.front();
+    const VesicleType& type = parameters.types.at(vesicle.type);
+    const std::shared_ptr<const Shape> shape = make_shape(vesicle);
+    setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity * type.viscosity_ratio);
+    setup.bending_modulus = type.bending.modulus;
+    if (const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form))
+        setup.spontaneous_curvature = helfrich->spontaneous_curvature;
+    const double radius = std::cbrt(shape->volume() * 3.0 / (4.0 * std::numbers::pi));
+    setup.membrane.bending = bending_law(type.bending);
+    setup.membrane.sigma = type.sigma;
+    setup.membrane.area =
+        area_law(type, radius, fluid.density * fluid.kinematic_viscosity, fluid.kinematic_viscosity);
+    const double sphere = 4.0 * std::numbers::pi * radius * radius;
+    setup.membrane.target.initial = shape->area();
+    setup.membrane.target.final = type.area.deflation ? *type.area.deflation * sphere : shape->area();
+    setup.membrane.target.ramp = type.area.ramp;
+    setup.centre = vesicle.centre;
+    setup.colours = std::make_shared<const InitialColours>(Grid(parameters.size), shape, vesicle.centre,
+                                                           fluid.segregation, parameters.numerics.cutoff);
+    return setup;
+}
+
+} // namespace vesica

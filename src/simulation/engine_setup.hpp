@@ -1,0 +1,45 @@
+#pragma once
+
+#include "case/parameters.hpp"
+#include "simulation/initial_state.hpp"
+#include "simulation/membrane_model.hpp"
+
+#include <memory>
+#include <string_view>
+
+namespace vesica {
+
+/// lambda of the stress: constant, or between two fluids.
+struct StressRates {
+    double outer = 1.0;
+    double inner = 1.0;
+};
+
+struct LayerSettings {
+    double beta = 0.67;
+    double reference_density = 1.0;
+    double cutoff = 1e-2;
+    GeometryRecipe recipe = GeometryRecipe::mapped;
+};
+
+/// A case's parameters as the engine uses them, the same for every precision and instruction set.
+struct EngineSetup {
+    Vec3<int> size{};
+    double reference_density = 1.0;
+    StressRates rates;
+    GhostRates ghosts;
+    LayerSettings layer;
+    double layer_moment = 0.0; ///< <s^2> of the relaxed layer, cells^2
+    double spontaneous_curvature = 0.0;
+    double bending_modulus = 0.0;
+    Membrane membrane;
+    std::shared_ptr<const InitialColours> colours; ///< null: one fluid
+    Vec3<double> centre{};                          ///< where the vesicle starts
+    Precision precision = Precision::double_precision;
+    int threads = 1;
+    std::string_view instruction_set;
+};
+
+EngineSetup make_engine_setup(const Parameters& parameters, int threads);
+
+} // namespace vesica

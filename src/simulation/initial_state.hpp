@@ -1,0 +1,38 @@
+#pragma once
+
+#include "case/parameters.hpp"
+#include "lattice/band.hpp"
+#include "lattice/grid.hpp"
+#include "shape/shape.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace vesica {
+
+/// The colours a run starts from: phi = -tanh(beta s) about a shape's surface, in a periodic box.
+class InitialColours {
+public:
+    InitialColours(const Grid& grid, std::shared_ptr<const Shape> shape, const Vec3<double>& centre, double beta,
+                   double cutoff);
+
+    /// Cells whose 1 - phi^2 exceeds the cutoff.
+    const std::vector<Band::Seed>& core() const { return core_; }
+    /// Per tile: bit k set where cell k lies inside.
+    const std::vector<std::uint8_t>& inside() const { return inside_; }
+    /// Signed minority fraction of a cell of the box, by grid index.
+    double chi_at(std::int64_t cell) const;
+
+private:
+    double distance(const Vec3<int>& cell) const;
+
+    Grid grid_;
+    std::shared_ptr<const Shape> shape_;
+    Vec3<double> centre_;
+    double beta_;
+    std::vector<Band::Seed> core_;
+    std::vector<std::uint8_t> inside_;
+};
+
+} // namespace vesica

@@ -1,0 +1,207 @@
+#pragma once
+
+#include "collision/paper_mrt.hpp"
+#include "collision/symmetric_mrt.hpp"
+#include "lattice/unwrap.hpp"
+#include "simulation/engine.hpp"
+#include "simulation/engine_setup.hpp"
+#include "simulation/fluid_step.hpp"
+#include "simulation/layer.hpp"
+
+#include <optional>
+
+namespace vesica {
+
+template <class Real>
+using AnyFluidStep =
+    std::variant<FluidStep<Real, RegularisedCollision>, FluidStep<Real, SymmetricMrt<TwoRelaxationTimes>>,
+                 FluidStep<Real, SymmetricMrt<FreeGhostRates>>, FluidStep<Real, PaperMrt>,
+                 FluidStep<Real, SymmetricMrt<SingleRelaxationTime>>>;
+
+/// The case's words for the ghost rates become a collision, once.
+template <class Real>
+struct MakeFluidStep {
+    const Grid& grid;
+    const PopulationView<Real>& f;
+    const EngineSetup& setup;
+
+    AnyFluidStep<Real> operator()(const RegularisedGhosts&) const { return make(RegularisedCollision{}); }
+    AnyFluidStep<Real> operator()(const TrtGhosts& ghosts) const
+    {
+        return make(SymmetricMrt<TwoRelaxationTimes>{{ghosts.magic}});
+    }
+    AnyFluidStep<Real> operator()(const SymmetricGhosts& ghosts) const
+    {
+        return make(SymmetricMrt<FreeGhostRates>{
+            {ghosts.odd_vector, ghosts.odd_twist, ghosts.even_scalar, ghosts.even_tensor}});
+    }
+    AnyFluidStep<Real> operator()(const PaperGhosts& ghosts) const
+    {
+        return make(PaperMrt{ghosts.l10, ghosts.l11, ghosts.l14, ghosts.l17});
+    }
+    AnyFluidStep<Real> operator()(const BgkGhosts&) const { return make(SymmetricMrt<SingleRelaxationTime>{}); }
+
+private:
+    template <class Collision>
+    AnyFluidStep<Real> make(const Collision& collision) const
+    {
+        return FluidStep<Real, Collision>(grid, f, collision, setup.rates, setup.reference_density);
+    }
+};
+
+/// The simulation in one precision, for one instruction set.
+template <class Real>
+class LatticeEngine final : public Engine {
+public:
+    using V = Pack<Real>;
+
+    explicit LatticeEngine(const EngineSetup& setup)
+        : setup_(setup),
+          grid_(setup.size),
+          populations_(direction_count, grid_.cells()),
+          f_(populations_.view(), grid_),
+          fluid_(std::visit(MakeFluidStep<Real>{grid_, f_, setup}, setup.ghosts)),
+          layer_(grid_, setup.layer),
+          membrane_(setup.membrane)
+    {
+        fill_at_rest();
+        if (setup_.colours != nullptr) {
+            layer_.place(setup_.colours->core(), [&](std::int64_t cell) { return static_cast<Real>(setup_.colours->chi_at(cell)); },
+                         setup_.colours->inside());
+            layer_.weigh(f_, streaming_, setup_.threads);
+            layer_.locate(setup_.threads);
+            find_geometry();
+            hold_area();
+            layer_.forces(membrane_, setup_.threads);
+        }
+    }
+
+    void step() override
+    {
+        const int threads = setup_.threads;
+        collide_and_stream();                      // feeling the membrane's force
+        if (layer_.empty()) return;
+        layer_.transport(f_, streaming_, threads); // colours follow, segregated
+        layer_.locate(threads);                    // where is the surface, how large is it
+        if (layer_.core_has_left()) {
+            layer_.follow_core(f_, streaming_, threads);
+            layer_.locate(threads);
+        }
+        find_geometry();                           // normals, curvatures
+        hold_area();                               // tension of the area constraint
+        layer_.forces(membrane_, threads);         // bending and tension, on the fluid
+    }
+
+    std::int64_t steps_done() const override { return step_; }
+    Snapshot snapshot() const override;
+    DenseField field(std::string_view name) const override;
+    std::optional<Trouble> trouble() const override;
+    EngineState save() const override;
+    void load(const EngineState& state) override;
+
+    std::size_t bytes_allocated() const override { return populations_.bytes() + layer_.bytes(); }
+    double interface_fraction() const override
+    {
+        return static_cast<double>(layer_.band().cell_count()) / static_cast<double>(grid_.volume());
+    }
+    std::string_view instruction_set() const override { return setup_.instruction_set; }
+
+private:
+    struct Fastest {
+        double speed = 0.0;
+        Vec3<int> cell{};
+        double density = 1.0;
+    };
+
+    void find_geometry()
+    {
+        layer_.normals(setup_.threads);
+        layer_.curvatures(setup_.threads);
+        layer_.slopes(setup_.threads);
+    }
+
+    void collide_and_stream()
+    {
+        std::visit([&](const auto& fluid) { fluid(streaming_, influence(), setup_.threads); }, fluid_);
+        streaming_ = after_step(streaming_);
+        ++step_;
+    }
+
+    void hold_area() { membrane_.hold_area(corrected_area(), step_); }
+
+    /// The measured area without the layer's offset 4 pi (1 - genus) <s^2>.
+    double corrected_area() const
+    {
+        const double spheres = std::round(layer_.sums().gaussian_curvature / (4.0 * pi));
+        return layer_.sums().raw_area - 4.0 * pi * spheres * setup_.layer_moment;
+    }
+
+    LayerInfluence<Real> influence() const
+    {
+        LayerInfluence<Real> influence;
+        if (layer_.empty()) return influence;
+        influence.force_slot = layer_.force_slots().data();
+        influence.force = layer_.force().view();
+        influence.contrast = setup_.rates.inner != setup_.rates.outer;
+        influence.colour_slot = layer_.band().slots();
+        influence.chi = layer_.fields().chi.data();
+        influence.inside = layer_.inside().data();
+        return influence;
+    }
+
+    void fill_at_rest()
+    {
+        const FieldView<Real> f = populations_.view();
+        const std::int64_t row = grid_.row_stride();
+        for_each_index(grid_.rows(), setup_.threads, [&](std::int64_t r) {
+            for (int i = 0; i < direction_count; ++i) std::fill_n(f.component(i) + r * row, row, Real(0));
+        });
+    }
+
+    Moments<double> moments_at(std::int64_t cell) const
+    {
+        double g[direction_count];
+        for (int i = 0; i < direction_count; ++i) g[i] = static_cast<double>(*f_.find(streaming_, i, cell));
+        return moments_of(g);
+    }
+
+    Vec3<double> force_at(std::int64_t cell) const
+    {
+        const std::int32_t slot = layer_.empty() ? -1 : layer_.force_slots()[static_cast<std::size_t>(cell / tile_width)];
+        if (slot < 0) return {};
+        const auto at = slot + cell % tile_width;
+        const FieldView<const Real> F = layer_.force().view();
+        return {static_cast<double>(F.component(0)[at]), static_cast<double>(F.component(1)[at]),
+                static_cast<double>(F.component(2)[at])};
+    }
+
+    Fastest fastest() const;
+    Vec3<double> middle() const;
+    void add_layer_cells(const Unwrap& unwrap, VesicleSnapshot& vesicle) const;
+    void add_inside(const Unwrap& unwrap, VesicleSnapshot& vesicle) const;
+    void add_colour_sums(VesicleSnapshot& vesicle) const;
+
+    /// body(place in canonical order z, y, x; index in the grid)
+    template <class Body>
+    void for_each_cell_of_box(const Body& body) const
+    {
+        std::size_t at = 0;
+        for (int z = 0; z < grid_.size().z; ++z)
+            for (int y = 0; y < grid_.size().y; ++y)
+                for (int x = 0; x < grid_.size().x; ++x) body(at++, grid_.index(x, y, z));
+    }
+
+    static constexpr double pi = 3.14159265358979323846;
+
+    EngineSetup setup_;
+    Grid grid_;
+    Field<Real> populations_;
+    PopulationView<Real> f_;
+    AnyFluidStep<Real> fluid_;
+    Layer<Real> layer_;
+    Membrane membrane_;
+    Streaming streaming_ = Streaming::arrived;
+    std::int64_t step_ = 0;
+};
+
+} // namespace vesica

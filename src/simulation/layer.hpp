@@ -1,0 +1,426 @@
+#pragma once
+
+#include "case/parameters.hpp"
+#include "collision/moments.hpp"
+#include "colour/recolouring.hpp"
+#include "geometry/curvature.hpp"
+#include "geometry/laplace_beltrami.hpp"
+#include "geometry/normal.hpp"
+#include "geometry/paper_frames.hpp"
+#include "lattice/populations.hpp"
+#include "membrane/layer_force.hpp"
+#include "membrane/tension.hpp"
+#include "parallel/for_each.hpp"
+#include "parallel/lane_sum.hpp"
+#include "simulation/engine_setup.hpp"
+#include "simulation/layer_fields.hpp"
+#include "simulation/membrane_model.hpp"
+
+#include <algorithm>
+
+namespace vesica {
+
+/// How far each quantity reaches beyond the cells that had a force when the band was last laid out (level 0). Level 1
+/// is room to move: the band is laid out anew when the core leaves it. Each derivative asks for one level more of
+/// what it differentiates.
+namespace reach {
+inline constexpr int force = 1;
+inline constexpr int slope = 2;
+inline constexpr int curvature = 3;
+inline constexpr int normal = 5;    ///< curvatures ask for level 4; recolouring wants one more
+inline constexpr int colour = 5;    ///< cells that may hold both colours
+inline constexpr int receiving = 6; ///< cells that colour may leak into within a step, swept at once
+} // namespace reach
+
+/// Sums over a layer, independent of the order they are made in.
+struct LayerSums {
+    double raw_area = 0.0;          ///< sum (beta/2)(1 - phi^2)
+    double gaussian_curvature = 0.0; ///< int K dA
+};
+
+/// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step is
+/// transport, locate, normals, curvatures, slopes, forces, each a pass over the tiles of its level.
+template <class Real>
+class Layer {
+public:
+    using V = Pack<Real>;
+
+    Layer(const Grid& grid, const LayerSettings& settings)
+        : settings_(settings),
+          spread_force_(settings.cutoff),
+          band_(grid),
+          inside_(static_cast<std::size_t>(grid.tiles()), 0),
+          force_slots_(static_cast<std::size_t>(grid.tiles()), -1)
+    {
+    }
+
+    const Band& band() const { return band_; }
+    const LayerFields<Real>& fields() const { return fields_; }
+    const Field<Real>& force() const { return force_; }
+    const std::vector<std::uint8_t>& inside() const { return inside_; }
+    const std::vector<std::int32_t>& force_slots() const { return force_slots_; }
+    const std::vector<Band::Seed>& core() const { return laid_out_core_; }
+    const LayerSums& sums() const { return sums_; }
+    const LayerSettings& settings() const { return settings_; }
+    bool empty() const { return band_.tiles().empty(); }
+
+    std::size_t bytes() const
+    {
+        return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
+               (force_slots_.capacity() + core_bits_.capacity()) * sizeof(std::int32_t);
+    }
+
+    /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid index, and
+    /// `inside` says which side every cell lies on.
+    template <class ChiAt>
+    void place(const std::vector<Band::Seed>& core, const ChiAt& chi_at, std::vector<std::uint8_t> inside)
+    {
+        inside_ = std::move(inside);
+        lay_out(core);
+        for (const BandTile& t : band_.tiles())
+            for (int k = 0; k < tile_width; ++k) {
+                Real& chi = fields_.chi[at(t.slot() + k)];
+                const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
+                chi = (t.bits[reach::colour] >> k & 1) != 0 ? chi_at(t.cell + k) : with_sign_bit(red, Real(0));
+            }
+    }
+
+    /// The colours move with the populations that have just been streamed.
+    void transport(const PopulationView<Real>& f, Streaming streaming, int threads)
+    {
+        if (streaming == Streaming::arrived) transport_from<Streaming::arrived>(f, threads);
+        else transport_from<Streaming::turned>(f, threads);
+        std::swap(fields_.chi, fields_.next);
+    }
+
+    /// Density of every cell that needs it, from the populations; transport() does the same on its way.
+    void weigh(const PopulationView<Real>& f, Streaming streaming, int threads)
+    {
+        for_tiles(reach::receiving, threads, [&](const BandTile& t) {
+            V g[direction_count];
+            for (int i = 0; i < direction_count; ++i) g[i] = load_shifted(f, streaming, i, t.cell);
+            density_of(g).store(fields_.density.data() + t.slot());
+        });
+    }
+
+    /// Where the surface is: s, the layer's area, and whether the core has left its place.
+    /// What leaked out of the band is given back, in proportion to 1 - phi^2: mass is exact.
+    void locate(int threads)
+    {
+        constexpr double purest = 1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
+        const V correction = V(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
+        std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
+        core_bits_.resize(band_.tiles().size());
+        for_tiles(Band::outermost, threads, [&](const BandTile& t, std::size_t index, int thread) {
+            const V density = V::load(fields_.density.data() + t.slot());
+            V chi = V::load(fields_.chi.data() + t.slot());
+            const auto holds_both = V::mask(t.bits[reach::colour]);
+            chi = select<Real>(holds_both, chi + correction * layer_density(chi) / density, chi);
+            chi.store(fields_.chi.data() + t.slot());
+            signed_distance_of(chi, V(purest), settings_.beta).store(fields_.s.data() + t.slot());
+            const V layer = layer_density(chi);
+            area[at(thread)].add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
+            core_bits_[index] = bits_of((layer > V(settings_.cutoff)) & holds_both);
+        });
+        sums_.raw_area = merged(area);
+        leaked_ = 0.0;
+        exchange({&fields_.chi, &fields_.s});
+    }
+
+    bool core_has_left() const
+    {
+        for (std::size_t k = 0; k < core_bits_.size(); ++k)
+            if ((core_bits_[k] & ~band_.tiles()[k].bits[reach::force]) != 0) return true;
+        return false;
+    }
+
+    /// Lays the band out around where the core is now. Colours stay; what the band lets go of is given back by the
+    /// next locate().
+    void follow_core(const PopulationView<Real>& f, Streaming streaming, int threads)
+    {
+        std::vector<Band::Seed> core;
+        for (std::size_t k = 0; k < core_bits_.size(); ++k)
+            if (core_bits_[k] != 0) core.push_back({band_.tiles()[k].tile, core_bits_[k]});
+
+        const std::vector<BandTile> old_tiles = band_.tiles();
+        const std::vector<Real> old_chi = fields_.chi;
+        const std::vector<Real> old_density = fields_.density;
+        std::vector<std::int32_t> old_slots(static_cast<std::size_t>(band_.grid().tiles()), -1);
+        for (const BandTile& t : old_tiles) {
+            old_slots[at(t.tile)] = t.slot();
+            for (int k = 0; k < tile_width; ++k)
+                if ((t.bits[Band::outermost] >> k & 1) != 0)
+                    set_side(t.tile, k, sign_bit(old_chi[at(t.slot() + k)]));
+        }
+        lay_out(core);
+        std::vector<std::uint8_t> kept(static_cast<std::size_t>(band_.grid().tiles()), 0);
+        for (const BandTile& t : band_.tiles()) {
+            kept[at(t.tile)] = t.bits[reach::colour];
+            const std::int32_t old = old_slots[at(t.tile)];
+            for (int k = 0; k < tile_width; ++k) {
+                const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
+                const bool holds_both = (t.bits[reach::colour] >> k & 1) != 0;
+                fields_.chi[at(t.slot() + k)] =
+                    old >= 0 && holds_both ? old_chi[at(old + k)] : with_sign_bit(red, Real(0));
+            }
+        }
+        let_go(old_tiles, old_chi, old_density, kept);
+        weigh(f, streaming, threads);
+    }
+
+    /// n = grad s/|grad s| (mapped) or -grad phi/|grad phi| (paper), and the segregation flux.
+    void normals(int threads)
+    {
+        for_tiles(reach::normal, threads, [&](const BandTile& t) {
+            const Vec3<V> n = unit_vector(outward_gradient(t));
+            const V chi = V::load(fields_.chi.data() + t.slot());
+            const V density = V::load(fields_.density.data() + t.slot());
+            store(n, fields_.n, t);
+            store(segregation_flux(chi, density, n, settings_.beta), fields_.w, t);
+        });
+        exchange({&fields_.n[0], &fields_.n[1], &fields_.n[2], &fields_.w[0], &fields_.w[1], &fields_.w[2]});
+    }
+
+    /// H and K from the normals' derivatives, mapped to phi = 0.
+    void curvatures(int threads)
+    {
+        std::vector<LaneSum<38>> gaussian(static_cast<std::size_t>(threads));
+        for_tiles(reach::curvature, threads, [&](const BandTile& t, std::size_t, int thread) {
+            const Vec3<V> n = load(fields_.n, t);
+            const Jacobian<V> G = jacobian<V>(around(fields_.n, t));
+            const V s = V::load(fields_.s.data() + t.slot());
+            const bool mapped = settings_.recipe == GeometryRecipe::mapped;
+            const Curvatures<V> here = mapped ? curvatures_of(G, n) : paper_curvatures_of(G, n);
+            const Curvatures<V> surface = mapped ? map_to_mid_surface(here, s) : here;
+            surface.H.store(fields_.H0.data() + t.slot());
+            surface.K.store(fields_.K0.data() + t.slot());
+            (mapped ? area_to_mid_surface(here, s) : V(1)).store(fields_.J.data() + t.slot());
+            const V weight = V(0.5 * settings_.beta) * layer_density(V::load(fields_.chi.data() + t.slot()));
+            gaussian[at(thread)].add(select<Real>(V::mask(t.bits[reach::curvature]), weight * here.K, V(0)));
+        });
+        sums_.gaussian_curvature = merged(gaussian);
+        exchange({&fields_.H0});
+    }
+
+    /// grad H0 along the surface.
+    void slopes(int threads)
+    {
+        for_tiles(reach::slope, threads, [&](const BandTile& t) {
+            const Vec3<V> g = gradient<V>(TileAround<Real>{fields_.H0.data(), t.rows});
+            const bool mapped = settings_.recipe == GeometryRecipe::mapped;
+            store(mapped ? tangential(g, load(fields_.n, t)) : g, fields_.g, t);
+        });
+        exchange({&fields_.g[0], &fields_.g[1], &fields_.g[2]});
+    }
+
+    V laplace_beltrami_of_H(const BandTile& t) const
+    {
+        const Vec3<V> n = load(fields_.n, t);
+        const Jacobian<V> d = jacobian<V>(around(fields_.g, t));
+        if (settings_.recipe == GeometryRecipe::mapped) return surface_divergence(d, n);
+        const TileAround<Real> H{fields_.H0.data(), t.rows};
+        return paper_laplace_beltrami(laplacian<V>(H), d, load(fields_.g, t), n, H(Direction<0>{}));
+    }
+
+    /// Membrane forces, spread over the layer.
+    void forces(const Membrane& membrane, int threads)
+    {
+        std::visit([&](const auto& bending) { forces_of(bending, TensionLaw{membrane.tension()}, threads); },
+                   membrane.bending);
+    }
+
+    Vec3<V> phase_gradient(const BandTile& t) const
+    {
+        return gradient<V>(PhaseAround<Real>{{fields_.chi.data(), t.rows}});
+    }
+
+    VESICA_INLINE static Vec3<V> load(const std::vector<Real> (&a)[3], const BandTile& t)
+    {
+        return {V::load(a[0].data() + t.slot()), V::load(a[1].data() + t.slot()), V::load(a[2].data() + t.slot())};
+    }
+
+private:
+    template <class Bending>
+    void forces_of(const Bending& bending, const TensionLaw& tension, int threads)
+    {
+        const FieldView<Real> force = force_.view();
+        for_tiles(reach::force, threads, [&](const BandTile& t) {
+            const V H = V::load(fields_.H0.data() + t.slot());
+            const V K = V::load(fields_.K0.data() + t.slot());
+            const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
+            const V layer = layer_density(V::load(fields_.chi.data() + t.slot()));
+            const Vec3<V> F = spread_force_(layer, phase_gradient(t), normal_force);
+            const auto here = V::mask(t.bits[reach::force]);
+            select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
+            select<Real>(here, F.y, V(0)).store(force.component(1) + t.slot());
+            select<Real>(here, F.z, V(0)).store(force.component(2) + t.slot());
+        });
+    }
+
+    static std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
+
+    static std::uint8_t bits_of(const typename V::Mask& mask)
+    {
+        unsigned bits = 0;
+        for (int k = 0; k < tile_width; ++k) bits |= (mask[k] ? 1u : 0u) << k;
+        return static_cast<std::uint8_t>(bits);
+    }
+
+    V density_of(const V (&g)[direction_count]) const
+    {
+        V sum = g[0];
+        for_each_pair([&](auto i) { sum += g[i] + g[opposite(decltype(i)::value)]; });
+        return V(settings_.reference_density) + sum;
+    }
+
+    static V load_shifted(const PopulationView<Real>& f, Streaming streaming, int i, std::int64_t cell)
+    {
+        return V::load(f.find(streaming, i, cell));
+    }
+
+    template <Streaming streaming>
+    void transport_from(const PopulationView<Real>& f, int threads)
+    {
+        std::vector<LaneSum<58>> leaked(static_cast<std::size_t>(threads));
+        std::vector<LaneSum<38>> layer(static_cast<std::size_t>(threads));
+        const Vec3<const Real*> w{fields_.w[0].data(), fields_.w[1].data(), fields_.w[2].data()};
+        for_tiles(reach::receiving, threads, [&](const BandTile& t, std::size_t, int thread) {
+            V g[direction_count];
+            for_each_direction([&](auto i) {
+                g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
+            });
+            const ColourDensities<V> arrived =
+                gather_colours(g, V(settings_.reference_density), TileAround<Real>{fields_.chi.data(), t.rows},
+                               FluxAround<Real>{w, t.rows});
+            const V density = density_of(g);
+            const auto blue_is_minor = arrived.blue < arrived.red;
+            const V minority = smaller(arrived.red, arrived.blue);
+            const V kept = larger(minority, V(0));
+            const auto holds_both = V::mask(t.bits[reach::colour]);
+            const auto received = V::mask(t.bits[reach::receiving]);
+            const V stays = select<Real>(holds_both, kept, V(0));
+            const V gone = minority - stays;
+            leaked[at(thread)].add(select<Real>(received, select<Real>(blue_is_minor, -gone, gone), V(0)));
+            const V chi = with_sign_bit<Real>(blue_is_minor, stays / density);
+            layer[at(thread)].add(select<Real>(holds_both, layer_density(chi), V(0)));
+            select<Real>(received, chi, V::load(fields_.chi.data() + t.slot())).store(fields_.next.data() + t.slot());
+            density.store(fields_.density.data() + t.slot());
+        });
+        // Cells of the outermost level never change: they carry over.
+        for (const BandTile& t : band_.tiles())
+            if (t.bits[reach::receiving] == 0)
+                std::copy_n(fields_.chi.data() + t.slot(), tile_width, fields_.next.data() + t.slot());
+        leaked_ += merged(leaked);
+        layer_sum_ = merged(layer);
+    }
+
+    Vec3<V> outward_gradient(const BandTile& t) const
+    {
+        if (settings_.recipe == GeometryRecipe::mapped) return gradient<V>(TileAround<Real>{fields_.s.data(), t.rows});
+        return -phase_gradient(t);
+    }
+
+    void set_side(std::int64_t tile, int k, bool red)
+    {
+        const auto bit = static_cast<std::uint8_t>(1u << k);
+        std::uint8_t& bits = inside_[at(tile)];
+        bits = static_cast<std::uint8_t>(red ? bits | bit : bits & ~bit);
+    }
+
+    void lay_out(const std::vector<Band::Seed>& core)
+    {
+        laid_out_core_ = core;
+        for (const BandTile& t : band_.tiles()) force_slots_[at(t.tile)] = -1;
+        band_.rebuild(core);
+        fields_.resize(band_.compact_size());
+        if (force_.stride() < band_.compact_size()) force_ = Field<Real>(3, band_.compact_size() + band_.compact_size() / 4);
+        for (int a = 0; a < 3; ++a)
+            std::fill_n(force_.view().component(a), band_.compact_size(), Real(0));
+        for (const std::int32_t index : band_.of_level(reach::force)) {
+            const BandTile& t = band_.tiles()[at(index)];
+            force_slots_[at(t.tile)] = t.slot();
+        }
+        // The slot that stands for everything outside the band must be harmless.
+        std::fill_n(fields_.density.begin(), fields_.density.size(), Real(settings_.reference_density));
+    }
+
+    /// Cells that no longer hold both colours give up what they had of the minority.
+    void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi, const std::vector<Real>& density,
+                const std::vector<std::uint8_t>& kept)
+    {
+        LaneSum<58> gone;
+        layer_sum_ = 0.0;
+        for (const BandTile& t : tiles) {
+            const auto left = static_cast<std::uint8_t>(t.bits[reach::colour] & ~kept[at(t.tile)]);
+            if (left == 0) continue;
+            const V amount = V::load(chi.data() + t.slot()) * V::load(density.data() + t.slot());
+            gone.add(select<Real>(V::mask(left), amount, V(0)));
+        }
+        LaneSum<38> layer;
+        for (const BandTile& t : band_.tiles())
+            layer.add(select<Real>(V::mask(t.bits[reach::colour]), layer_density(V::load(fields_.chi.data() + t.slot())),
+                                   V(0)));
+        leaked_ += gone.value();
+        layer_sum_ = layer.value();
+    }
+
+    template <class Sum>
+    static double merged(const std::vector<Sum>& parts)
+    {
+        Sum total;
+        for (const Sum& part : parts) total.merge(part);
+        return total.value();
+    }
+
+    VESICA_INLINE static void store(const Vec3<V>& value, std::vector<Real> (&a)[3], const BandTile& t)
+    {
+        value.x.store(a[0].data() + t.slot());
+        value.y.store(a[1].data() + t.slot());
+        value.z.store(a[2].data() + t.slot());
+    }
+
+    VESICA_INLINE static Vec3<TileAround<Real>> around(const std::vector<Real> (&a)[3], const BandTile& t)
+    {
+        return {{a[0].data(), t.rows}, {a[1].data(), t.rows}, {a[2].data(), t.rows}};
+    }
+
+    /// body(tile) or body(tile, index, thread) for every tile with cells in `level`.
+    template <class Body>
+    void for_tiles(int level, int threads, const Body& body) const
+    {
+        const std::vector<std::int32_t>& list = band_.of_level(level);
+        for_each_block(static_cast<std::int64_t>(list.size()), threads,
+                       [&](int thread, std::int64_t begin, std::int64_t end) {
+                           for (std::int64_t k = begin; k < end; ++k) {
+                               const std::size_t index = at(list[at(k)]);
+                               if constexpr (std::is_invocable_v<Body, const BandTile&>) body(band_.tiles()[index]);
+                               else body(band_.tiles()[index], index, thread);
+                           }
+                       });
+        static_cast<void>(threads);
+    }
+
+    /// Ghost cells of the band take the values of the cells they mirror.
+    void exchange(std::initializer_list<std::vector<Real>*> arrays)
+    {
+        if (band_.ghost_copies().empty()) return;
+        for (std::vector<Real>* array : arrays)
+            for (const Band::GhostCopy& copy : band_.ghost_copies())
+                (*array)[at(copy.to)] = (*array)[at(copy.from)];
+    }
+
+    LayerSettings settings_;
+    LayerForce spread_force_;
+    Band band_;
+    LayerFields<Real> fields_;
+    Field<Real> force_;
+    std::vector<std::uint8_t> inside_;       ///< per tile: which cells lie on red's side, kept for cells outside the band
+    std::vector<std::int32_t> force_slots_;  ///< per tile: compact address of forces, -1 where there are none
+    std::vector<Band::Seed> laid_out_core_;
+    std::vector<std::uint8_t> core_bits_;    ///< per band tile: cells with a force now
+    LayerSums sums_;
+    double leaked_ = 0.0;    ///< red mass to be given back
+    double layer_sum_ = 0.0; ///< sum (1 - phi^2) it is shared by
+};
+
+} // namespace vesica
