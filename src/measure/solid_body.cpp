@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -101,10 +102,14 @@ double volume(const VesicleSnapshot& vesicle) {
 }
 
 Vec3<double> centre_of_mass(const VesicleSnapshot& vesicle) {
-    // About a point of the vesicle, so that a distant one keeps its digits.
+    // About a corner of the vesicle's own box, so that a distant one keeps its digits; and not about any one
+    // cell, whose place in the list depends on the threads.
     Vec3<double> origin;
     if (!vesicle.cells.empty())
         origin = vesicle.cells.front().position;
+    for (const InterfaceCell& cell : vesicle.cells)
+        for (int a = 0; a < 3; ++a)
+            origin[a] = std::min(origin[a], cell.position[a]);
     return origin + centre_of(raw_moments(vesicle, origin));
 }
 
