@@ -1,0 +1,281 @@
+#include "io/case_build.hpp"
+
+#include "case/resolution.hpp"
+#include "io/case_build_vesicle.hpp"
+#include "io/case_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vesica {
+namespace {
+
+Vec3<int> read_size(const CaseValues& values) {
+    const std::string path = "lattice.size";
+    const Vec3<int> size{static_cast<int>(values.integer(path, 0)), static_cast<int>(values.integer(path, 1)),
+                         static_cast<int>(values.integer(path, 2))};
+    const double cells = static_cast<double>(size.x) * size.y * size.z;
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    if (cells > most)
+        values.refuse(
+            path, fmt::format("expected at most {:.0f} cells, not {:.4g}; try a smaller box", most, cells));
+    return size;
+}
+
+/// The rates of a complete set, or nothing when none of its keys is given. One of them alone is an error.
+std::vector<double> complete_set(const CaseValues& values, const std::vector<std::string>& names) {
+    const std::string table = "fluid.collision.ghost_rates.";
+    std::vector<double> rates;
+    for (const std::string& name : names) {
+        if (values.find(table + name))
+            rates.push_back(values.number(table + name));
+    }
+    if (rates.empty() || rates.size() == names.size())
+        return rates;
+    for (const std::string& name : names) {
+        if (!values.find(table + name))
+            values.refuse(table + name, fmt::format("expected {} together; try {} = 1.0",
+                                                    joined_choices(names, "and", false), name));
+    }
+    return {};
+}
+
+GhostRates read_ghost_table(const CaseValues& values, bool paper_basis) {
+    const std::string path = "fluid.collision.ghost_rates";
+    const std::vector<std::string> families{"even", "odd"};
+    const std::vector<std::string> symmetric{"even_scalar", "even_tensor", "odd_vector", "odd_twist"};
+    const std::vector<std::string> paper{"l10", "l11", "l14", "l17"};
+    const auto refuse_other = [&](const std::vector<std::string>& names) {
+        for (const std::string& name : names) {
+            if (values.find(path + "." + name))
+                values.refuse(path + "." + name,
+                              fmt::format("expected {}; try one complete set of rates of one basis",
+                                          paper_basis
+                                              ? "l10, l11, l14 and l17 in the paper's basis"
+                                              : "even and odd, or even_scalar, even_tensor, odd_vector and "
+                                                "odd_twist, in the symmetric basis"));
+        }
+    };
+    if (paper_basis) {
+        refuse_other(families);
+        refuse_other(symmetric);
+        const auto rates = complete_set(values, paper);
+        if (!rates.empty())
+            return PaperGhosts{rates[0], rates[1], rates[2], rates[3]};
+    } else {
+        refuse_other(paper);
+        const auto two = complete_set(values, families);
+        if (!two.empty()) {
+            refuse_other(symmetric);
+            return SymmetricGhosts{two[0], two[0], two[1], two[1]};
+        }
+        const auto four = complete_set(values, symmetric);
+        if (!four.empty())
+            return SymmetricGhosts{four[0], four[1], four[2], four[3]};
+    }
+    values.refuse(path, fmt::format("expected a complete set of rates; try ghost_rates = {}",
+                                    paper_basis ? "{ l10 = 1.0, l11 = 1.0, l14 = 1.0, l17 = 1.0 }"
+                                                : "{ even = 1.0, odd = 1.0 }"));
+}
+
+GhostRates read_ghosts(const CaseValues& values) {
+    if (values.text("fluid.collision.model") == "bgk")
+        return BgkGhosts{};
+    const std::string path = "fluid.collision.ghost_rates";
+    const bool paper_basis = values.text("fluid.collision.basis") == "paper";
+    if (values.find(path)->is_table)
+        return read_ghost_table(values, paper_basis);
+    // The same operator in either basis: even and odd moments do not mix in either.
+    if (values.text(path) == "trt")
+        return TrtGhosts{values.number("fluid.collision.magic")};
+    if (paper_basis) {
+        const std::string advice =
+            "expected \"trt\" or a table of l10, l11, l14 and l17 in the paper's basis, where "
+            "rates of one are not symmetric; try ghost_rates = \"trt\"";
+        if (values.given(path))
+            values.refuse(path, advice);
+        throw InputError(values.place(path), path + " is missing; " + advice);
+    }
+    return RegularisedGhosts{};
+}
+
+FluidParameters read_fluid(CaseValues& values, const CaseUnits& units) {
+    FluidParameters fluid;
+    fluid.kinematic_viscosity = units.kinematic_viscosity;
+    fluid.density = units.density;
+    fluid.segregation = values.number("fluid.segregation");
+    fluid.ghosts = read_ghosts(values);
+
+    std::string path = "fluid.kinematic_viscosity";
+    for (const std::string other : {"fluid.relaxation_time", "fluid.dynamic_viscosity"}) {
+        if (values.given(other))
+            path = other;
+    }
+    const double nu = fluid.kinematic_viscosity;
+    if (nu > 1.0)
+        values.warn(path, fmt::format("{:.4g} cells^2/step makes the lattice inaccurate; try at most 1", nu));
+    if (nu < 0.005)
+        values.warn(path, fmt::format("{:.4g} cells^2/step may be unstable; try at least 0.005", nu));
+    return fluid;
+}
+
+NumericsParameters read_numerics(const CaseValues& values) {
+    NumericsParameters numerics;
+    numerics.geometry =
+        values.text("numerics.geometry") == "paper" ? GeometryRecipe::paper : GeometryRecipe::mapped;
+    numerics.cutoff = values.number("numerics.cutoff");
+    numerics.precision = values.text("numerics.precision") == "single" ? Precision::single_precision
+                                                                       : Precision::double_precision;
+    return numerics;
+}
+
+RunParameters read_run(const CaseValues& values) {
+    RunParameters run;
+    run.steps = values.integer(values.find("run.steps") ? "run.steps" : "run.time");
+    if (values.has_table("run.stop_when_steady")) {
+        const std::string table = "run.stop_when_steady.";
+        run.stop_when_steady =
+            SteadyCriterion{values.text(table + "quantity"), values.number(table + "relative_change"),
+                            values.integer(table + "over")};
+    }
+    if (const CaseValue* wall_time = values.find("run.wall_time"))
+        run.wall_time = std::get<Quantity>(wall_time->items.front().value).value;
+    return run;
+}
+
+FieldOutput read_fields(const CaseValues& values, const Vec3<int>& size) {
+    FieldOutput fields;
+    fields.every = values.integer("output.fields.every");
+    for (const CaseScalar& name : values.find("output.fields.names")->items)
+        fields.names.push_back(std::get<std::string>(name.value));
+    fields.stride = static_cast<int>(values.integer("output.fields.stride"));
+    fields.average = values.boolean("output.fields.average");
+    fields.region_end = size;
+    const std::string path = "output.fields.region";
+    if (!values.find(path))
+        return fields;
+    for (int a = 0; a < 3; ++a) {
+        const std::int64_t begin = values.integer(path, static_cast<std::size_t>(a));
+        const std::int64_t end = values.integer(path, static_cast<std::size_t>(a) + 3);
+        if (begin < 0 || end > size[a] || begin >= end) {
+            values.refuse(path,
+                          fmt::format("expected two corners within the box, the second beyond the first; try "
+                                      "region = [[0, 0, 0], [{}, {}, {}]]",
+                                      size.x, size.y, size.z));
+        }
+        fields.region_begin[a] = static_cast<int>(begin);
+        fields.region_end[a] = static_cast<int>(end);
+    }
+    return fields;
+}
+
+OutputParameters read_output(const CaseValues& values, const Vec3<int>& size) {
+    OutputParameters output;
+    output.metrics_every = values.integer("output.metrics.every");
+    if (values.has_table("output.fields")) {
+        output.fields = read_fields(values, size);
+        if (output.fields->every == 0)
+            output.fields.reset();
+    }
+    if (values.has_table("output.surfaces"))
+        output.surfaces_every = values.integer("output.surfaces.every");
+    if (values.has_table("output.checkpoint")) {
+        output.checkpoint_every = values.integer("output.checkpoint.every");
+        output.checkpoint_keep = static_cast<int>(values.integer("output.checkpoint.keep"));
+    }
+    return output;
+}
+
+void check_fit(CaseValues& values, const Parameters& parameters, const VesicleParameters& vesicle,
+               const std::string& path) {
+    const double beta = parameters.fluid.segregation;
+    if (vesicle.radius > 0.0 && judge_resolution(beta, vesicle.radius) == Resolution::error)
+        values.refuse(
+            path + ".radius",
+            fmt::format("expected at least {:.3g} cells, as even a sphere is not resolved otherwise (radius "
+                        "times fluid.segregation below {:g}); try radius = 15",
+                        resolution_error / beta, resolution_error));
+    const Vec3<double> half = least_half_widths(vesicle);
+    const double gap = 2.0 / beta + 2.0;
+    for (int a = 0; a < 3; ++a) {
+        const int side = parameters.size[a];
+        if (vesicle.centre[a] < 0.0 || vesicle.centre[a] > side)
+            values.refuse(path + ".centre",
+                          fmt::format("expected a point in the box, from 0 to {} along {}; try the "
+                                      "middle, {:g}",
+                                      side, "xyz"[a], 0.5 * side));
+        if (2.0 * half[a] > side)
+            values.refuse(path + ".radius",
+                          fmt::format("expected a vesicle smaller than the box, not {:.4g} cells "
+                                      "wide along {}, where lattice.size is {}; try a smaller "
+                                      "radius or a larger box",
+                                      2.0 * half[a], "xyz"[a], side));
+        if (2.0 * half[a] + gap > side)
+            values.warn(
+                path + ".radius",
+                fmt::format("it is less than {:.3g} cells away from its own periodic image along {}, so that "
+                            "their interfaces overlap; try a larger lattice.size",
+                            gap, "xyz"[a]));
+    }
+}
+
+} // namespace
+
+void check_references(const CaseValues& values) {
+    const auto instances = [&](const std::string& generic) {
+        const auto found = values.tables.find(generic);
+        return found == values.tables.end() ? std::vector<std::string>{} : found->second;
+    };
+    const auto types = instances("vesicle_type.*");
+    const auto vesicles = instances("vesicle[]");
+    if (vesicles.empty())
+        values.refuse("vesicle",
+                      "expected one [[vesicle]]; try [[vesicle]] with type, shape, centre and radius");
+    if (vesicles.size() > 1)
+        throw InputError(values.place(vesicles[1]), vesicles[1] +
+                                                        " is not available yet (more than one vesicle); "
+                                                        "expected one [[vesicle]]; try removing it");
+    for (const std::string& vesicle : vesicles) {
+        const std::string& type = values.text(vesicle + ".type");
+        if (std::find(types.begin(), types.end(), "vesicle_type." + type) != types.end())
+            continue;
+        std::vector<std::string> names;
+        for (const std::string& path : types)
+            names.push_back(path.substr(path.find('.') + 1));
+        if (names.empty())
+            values.refuse(vesicle + ".type",
+                          "expected the name of a vesicle type, but there is none; try adding "
+                          "[vesicle_type." +
+                              (type.empty() ? "rbc" : type) + "]");
+        values.refuse(vesicle + ".type",
+                      fmt::format("expected {}; try type = \"{}\"", joined_choices(names, "or", true),
+                                  nearest_word(type, names)));
+    }
+    if (values.text("numerics.device") == "cuda")
+        values.refuse("numerics.device",
+                      "that is not available yet; expected \"cpu\" or \"auto\"; try device = \"cpu\"");
+}
+
+void build_case(CaseValues& values, const CaseUnits& units, const std::filesystem::path& folder,
+                Case& result) {
+    result.title = values.text("title");
+    result.scales = units.scales;
+    result.inertia = units.inertia;
+    Parameters& parameters = result.parameters;
+    parameters.size = read_size(values);
+    parameters.fluid = read_fluid(values, units);
+    parameters.numerics = read_numerics(values);
+    for (const std::string& path : values.tables.at("vesicle_type.*"))
+        parameters.types.push_back(build_vesicle_type(values, path));
+    for (const std::string& path : values.tables.at("vesicle[]")) {
+        parameters.vesicles.push_back(build_vesicle(values, path, parameters.types, folder));
+        check_fit(values, parameters, parameters.vesicles.back(), path);
+    }
+    result.run = read_run(values);
+    result.output = read_output(values, parameters.size);
+}
+
+} // namespace vesica

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "case/parameters.hpp"
+#include "io/case_values.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vesica {
+
+/// The vesicle type in the table at `path` ("vesicle_type.rbc"). Throws InputError.
+VesicleType build_vesicle_type(CaseValues& values, const std::string& path);
+
+/// The vesicle in the table at `path` ("vesicle[0]"), whose type is one of `types`. Mesh files are looked for
+/// in `folder`. Throws InputError.
+VesicleParameters build_vesicle(CaseValues& values, const std::string& path,
+                                const std::vector<VesicleType>& types, const std::filesystem::path& folder);
+
+} // namespace vesica

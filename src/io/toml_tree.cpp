@@ -1,0 +1,132 @@
+#include "io/toml_tree.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vesica {
+namespace {
+
+constexpr std::size_t longest_shown = 60;
+
+SourcePlace place_of(const toml::source_position& position, const std::string& name) {
+    return {name, static_cast<int>(position.line), static_cast<int>(position.column)};
+}
+
+TomlNode copied(const toml::node& node, const std::string& name) {
+    TomlNode result;
+    result.place = place_of(node.source().begin, name);
+    if (const auto* table = node.as_table()) {
+        TomlTable members;
+        for (const auto& [key, value] : *table) {
+            members.push_back({std::string(key.str()), place_of(key.source().begin, name),
+                               std::make_unique<TomlNode>(copied(value, name))});
+        }
+        // The parser sorts by key; messages should name the first mistake of the file first.
+        std::stable_sort(members.begin(), members.end(), [](const TomlMember& a, const TomlMember& b) {
+            return std::pair(a.key_place.line, a.key_place.column) <
+                   std::pair(b.key_place.line, b.key_place.column);
+        });
+        result.value = std::move(members);
+    } else if (const auto* array = node.as_array()) {
+        TomlArray items;
+        for (const auto& item : *array)
+            items.push_back(copied(item, name));
+        result.value = std::move(items);
+    } else if (const auto* text = node.as_string()) {
+        result.value = text->get();
+    } else if (const auto* integer = node.as_integer()) {
+        result.value = integer->get();
+    } else if (const auto* number = node.as_floating_point()) {
+        result.value = number->get();
+    } else if (const auto* boolean = node.as_boolean()) {
+        result.value = boolean->get();
+    } else {
+        result.value = TomlDate{};
+    }
+    return result;
+}
+
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            result += '\\';
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
+std::string full_text(const TomlNode& node, int depth) {
+    if (const auto* boolean = std::get_if<bool>(&node.value))
+        return *boolean ? "true" : "false";
+    if (const auto* integer = std::get_if<std::int64_t>(&node.value))
+        return fmt::format("{}", *integer);
+    if (const auto* number = std::get_if<double>(&node.value)) {
+        const std::string text = fmt::format("{}", *number);
+        return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;
+    }
+    if (const auto* text = std::get_if<std::string>(&node.value))
+        return quoted(*text);
+    if (std::holds_alternative<TomlDate>(node.value))
+        return "a date or time";
+    if (node.table())
+        return "a table";
+    std::string result = "[";
+    for (const TomlNode& item : *node.array()) {
+        if (result.size() > 1)
+            result += ", ";
+        result += depth > 3 ? "..." : full_text(item, depth + 1);
+        if (result.size() > 2 * longest_shown)
+            break;
+    }
+    return result + "]";
+}
+
+} // namespace
+
+TomlNode* find_member(TomlTable& table, const std::string& key) {
+    for (TomlMember& member : table) {
+        if (member.key == key)
+            return member.node.get();
+    }
+    return nullptr;
+}
+
+const TomlNode* find_member(const TomlTable& table, const std::string& key) {
+    for (const TomlMember& member : table) {
+        if (member.key == key)
+            return member.node.get();
+    }
+    return nullptr;
+}
+
+std::string shown(const TomlNode& node) {
+    std::string text = full_text(node, 0);
+    if (text.size() <= longest_shown)
+        return text;
+    std::size_t end = longest_shown;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+        --end; // between characters
+    return text.substr(0, end) + "...";
+}
+
+TomlNode parse_toml(const std::string& text, const std::string& name) {
+    try {
+        return copied(toml::parse(text, name), name);
+    } catch (const toml::parse_error& error) {
+        throw InputError(
+            place_of(error.source().begin, name),
+            fmt::format("the text is no TOML ({}); expected TOML 1.0; try completing or correcting the "
+                        "text at this place",
+                        error.description()));
+    }
+}
+
+} // namespace vesica
