@@ -60,7 +60,7 @@ LayerMoments tanh_layer_moments(double beta) {
     assert(beta > 0.0);
     const double scale = std::numbers::pi / beta;
     const double second = scale * scale / 12.0;
-    return {second, second, 7.0 * scale * scale * scale * scale / 240.0};
+    return {second, 0.0, second, 0.0, 7.0 * scale * scale * scale * scale / 240.0};
 }
 
 LayerMoments lattice_layer_moments(double beta) {
@@ -74,7 +74,9 @@ LayerMoments lattice_layer_moments(double beta) {
         mean.second += moments.second / offsets;
         mean.fourth += moments.fourth / offsets;
     }
-    return {mean.second, mean.second + 1.0 / 6.0, mean.fourth + mean.second - 1.0 / 30.0};
+    const double shift = (1.0 - std::numbers::ln2) / 3.0;
+    return {mean.second, 1.0 / 3.0 + 2.0 * shift, mean.second + 1.0 / 6.0, shift,
+            mean.fourth + mean.second - 1.0 / 30.0};
 }
 
 } // namespace vesica

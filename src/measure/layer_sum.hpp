@@ -25,6 +25,9 @@ double geometry_sum(const VesicleSnapshot& vesicle, Quantity quantity) {
     return sum.value();
 }
 
+/// The vesicle's layer moments, or those of a tanh with its layer_moment when it states no more.
+LayerMoments layer_moments(const VesicleSnapshot& vesicle);
+
 /// The share of the membrane's area that cells with geometry represent, sum(weight * J) / A: one but for the
 /// layer's tails, where the geometry is not computed. Curvature integrals are divided by it. NaN when no cell
 /// has geometry.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/vec3.hpp"
+#include "measure/layer_moment.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -47,8 +48,7 @@ struct VesicleSnapshot {
     std::vector<InsideSpan> inside;
     double beta = 0.67;
     double layer_moment = 0.0; ///< calibrated <s^2> of the layer at this beta, cells^2 (LayerMoments::area)
-    /// The same for sums of (1 + phi)/2 (LayerMoments::volume); NaN: equal to layer_moment, as for a tanh.
-    double volume_moment = std::numeric_limits<double>::quiet_NaN();
+    LayerMoments layer{};    ///< all of the layer's moments; when all zero, layer_moment serves as for a tanh
     Vec3<double> momentum{}; ///< exact sum of rho_k u over this vesicle's colour
     double bending_modulus = 0.0;
     double spontaneous_curvature = 0.0;

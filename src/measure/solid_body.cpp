@@ -47,9 +47,9 @@ Vec3<double> centre_of(const Moments& sums) {
 
 /// What the layer adds to the raw sums about `origin`.
 Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin) {
-    const double m2 = std::isnan(vesicle.volume_moment) ? vesicle.layer_moment : vesicle.volume_moment;
-    const double m4 =
-        4.2 * m2 * m2; // of a tanh; m4 itself is a small correction, and its deviation negligible
+    const LayerMoments layer = layer_moments(vesicle);
+    const double m2 = layer.volume;
+    const double m4 = layer.volume_fourth;
     const double coverage = geometry_coverage(vesicle);
     Moments sums;
     if (std::isnan(coverage))
@@ -59,18 +59,19 @@ Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin)
             continue;
         const double dA = cell.weight * cell.J / coverage;
         const Vec3<double> r = foot_point(cell) - origin;
-        sums.zeroth.add(dA * m2 * cell.H0);
+        const double displaced = layer.shift * cell.H0;
+        sums.zeroth.add(dA * (m2 * cell.H0 + displaced));
         for (int a = 0; a < 3; ++a) {
             const double q1 = cell.n[a];
             sums.first[static_cast<std::size_t>(a)].add(
-                dA * (0.5 * m2 * (q1 + 2.0 * cell.H0 * r[a]) + 0.25 * m4 * cell.K0 * q1));
+                dA * (displaced * r[a] + 0.5 * m2 * (q1 + 2.0 * cell.H0 * r[a]) + 0.25 * m4 * cell.K0 * q1));
         }
         for (std::size_t p = 0; p < 6; ++p) {
             const int a = pairs[p][0];
             const int b = pairs[p][1];
             const double q1 = cell.n[a] * r[b] + r[a] * cell.n[b];
             const double q2 = cell.n[a] * cell.n[b];
-            sums.second[p].add(dA * (0.5 * m2 * (q1 + 2.0 * cell.H0 * r[a] * r[b]) +
+            sums.second[p].add(dA * (displaced * r[a] * r[b] + 0.5 * m2 * (q1 + 2.0 * cell.H0 * r[a] * r[b]) +
                                      0.25 * m4 * (2.0 * cell.H0 * q2 + cell.K0 * q1)));
         }
     }

@@ -25,15 +25,15 @@ struct SolidBody {
 
 /// Volume, centre and second moments, corrected for the layer. For a smooth q
 ///
-///     sum q (1 + phi)/2 = int_V q dV + (m2/2) int (n.grad q + 2 H q) dA + (m4/4) int (2 H q2 + K n.grad q)
+///     sum q (1 + phi)/2 = int_V q dV + int [c H q + (m2/2)(n.grad q + 2 H q) + (m4/4)(2 H q2 + K n.grad q)]
 ///     dA
 ///
-/// with m2 and m4 the layer's moments, and q2 the second-order coefficient of q along n; from the parallel
-/// surfaces' areas 1 + 2 s H + s^2 K, and exact for q up to second degree. q = 1, x and x x are used.
-/// Without geometry nothing is corrected.
+/// with c, m2 and m4 the shift and the moments of LayerMoments, and q2 the second-order coefficient of q
+/// along n; from the parallel surfaces' areas 1 + 2 s H + s^2 K, and exact for a tanh and q up to second
+/// degree. q = 1, x and x x are used. Without geometry nothing is corrected.
 SolidBody solid_body(const VesicleSnapshot& vesicle);
 
-/// The volume inside phi = 0: sum (1 + phi)/2 minus <s^2> int H dA.
+/// The volume inside phi = 0: sum (1 + phi)/2 minus the layer's share, proportional to int H dA.
 double volume(const VesicleSnapshot& vesicle);
 
 /// Centre of all the colour, sum x (1 + phi)/2 / sum (1 + phi)/2: not corrected for the layer, so that it

@@ -121,8 +121,7 @@ VesicleSnapshot snapshot_of(const Surface& surface, const Vec3<int>& middle, int
                             double cutoff = 1e-4) {
     VesicleSnapshot vesicle;
     vesicle.beta = beta;
-    vesicle.layer_moment = tanh_layer_moments(beta).area;
-    vesicle.volume_moment = tanh_layer_moments(beta).volume;
+    vesicle.layer = tanh_layer_moments(beta);
     for (int z = middle.z - half_box; z < middle.z + half_box; ++z)
         for (int y = middle.y - half_box; y < middle.y + half_box; ++y)
             for (int x = middle.x - half_box; x < middle.x + half_box; ++x) {

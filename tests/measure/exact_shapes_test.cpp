@@ -92,7 +92,7 @@ TEST_CASE("volume, area and inertia of a sphere and of spheroids are those of th
 TEST_CASE("raw sums are too large by far: what the corrections are for", "[measure]") {
     auto sphere = exact::snapshot_of(exact::Sphere{{}, 15.0}, {0, 0, 0}, 36);
     const double corrected = principal_inertia(solid_body(sphere), 1.0)[0];
-    sphere.volume_moment = 0.0;
+    sphere.layer.volume = sphere.layer.volume_fourth = 0.0;
     CHECK(volume(sphere) / (4.0 / 3.0 * pi * 3375.0) == Approx(1.0 + 3.0 * 1.8322 / 225.0).epsilon(1e-4));
     CHECK(principal_inertia(solid_body(sphere), 1.0)[0] / corrected > 1.07);
 }
