@@ -1,59 +1,59 @@
 #include "io/atomic_file.hpp"
 
-#include <cstdio>
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cstdio>
+
 namespace vesica {
 
-std::filesystem::path temporary_name(const std::filesystem::path& target)
-{
+std::filesystem::path temporary_name(const std::filesystem::path& target) {
     return target.parent_path() / ("." + target.filename().string() + ".partial");
 }
 
 AtomicFile::AtomicFile(std::filesystem::path target)
-    : target_(std::move(target)), temporary_(temporary_name(target_))
-{
+    : target_(std::move(target)), temporary_(temporary_name(target_)) {
     // Errors name the target: the temporary name means nothing to the user.
     int number = -1;
     do {
         number = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     } while (number < 0 && errno == EINTR);
-    if (number < 0) fail_with_errno(target_, "cannot create");
+    if (number < 0)
+        fail_with_errno(target_, "cannot create");
     file_ = FileDescriptor(number);
 }
 
-AtomicFile::~AtomicFile()
-{
-    if (!committed_) ::unlink(temporary_.c_str());
+AtomicFile::~AtomicFile() {
+    if (!committed_)
+        ::unlink(temporary_.c_str());
 }
 
-void AtomicFile::write(std::string_view bytes)
-{
+void AtomicFile::write(std::string_view bytes) {
     write_fully(file_, bytes, target_);
 }
 
-void AtomicFile::write_at(std::uint64_t offset, std::string_view bytes)
-{
+void AtomicFile::write_at(std::uint64_t offset, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail_with_errno(target_, "cannot write");
+        const ssize_t written =
+            ::pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            fail_with_errno(target_, "cannot write");
         bytes.remove_prefix(static_cast<std::size_t>(written));
         offset += static_cast<std::uint64_t>(written);
     }
 }
 
-void AtomicFile::commit()
-{
+void AtomicFile::commit() {
     synchronise(file_, target_);
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail_with_errno(target_, "cannot rename into place");
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
+        fail_with_errno(target_, "cannot rename into place");
     committed_ = true;
     synchronise_directory(target_.parent_path());
 }
 
-void write_atomically(const std::filesystem::path& target, std::string_view content)
-{
+void write_atomically(const std::filesystem::path& target, std::string_view content) {
     AtomicFile file(target);
     file.write(content);
     file.commit();

@@ -2,17 +2,17 @@
 
 #include "core/input_error.hpp"
 
+#include <fmt/format.h>
+#include <xxhash.h>
+
 #include <algorithm>
 #include <cstring>
-#include <fmt/format.h>
 #include <string>
 #include <vector>
-#include <xxhash.h>
 
 namespace vesica {
 
-Digest digest_of(std::string_view bytes)
-{
+Digest digest_of(std::string_view bytes) {
     XXH128_canonical_t canonical;
     XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
     Digest digest;
@@ -21,14 +21,12 @@ Digest digest_of(std::string_view bytes)
     return digest;
 }
 
-Digest combine_digests(std::span<const Digest> blocks)
-{
+Digest combine_digests(std::span<const Digest> blocks) {
     return digest_of({reinterpret_cast<const char*>(blocks.data()), blocks.size_bytes()});
 }
 
 Digest digest_of_file(const FileDescriptor& file, std::uint64_t offset, std::uint64_t length,
-                      const std::filesystem::path& path)
-{
+                      const std::filesystem::path& path) {
     std::vector<Digest> blocks;
     std::string buffer(static_cast<std::size_t>(std::min(length, digest_block_bytes)), '\0');
     for (std::uint64_t done = 0; done < length;) {

@@ -14,8 +14,8 @@ namespace vesica {
 /// XXH3-128 in canonical (big-endian) form: it finds damage, it does not resist forgery.
 using Digest = std::array<unsigned char, 16>;
 
-/// Files are digested in blocks of this size: digest = XXH3-128(XXH3-128(block 0), XXH3-128(block 1), ...). So
-/// several ranks can digest one file, each its share of the blocks, with the same result.
+/// Files are digested in blocks of this size: digest = XXH3-128(XXH3-128(block 0), XXH3-128(block 1), ...).
+/// So several ranks can digest one file, each its share of the blocks, with the same result.
 inline constexpr std::uint64_t digest_block_bytes = std::uint64_t{4} << 20;
 
 Digest digest_of(std::string_view bytes);
@@ -23,7 +23,8 @@ Digest digest_of(std::string_view bytes);
 /// Digest of the blocks' digests in order.
 Digest combine_digests(std::span<const Digest> blocks);
 
-/// Digest of `length` bytes of a file from `offset`, by plain reads. Throws RunError when they cannot be read.
+/// Digest of `length` bytes of a file from `offset`, by plain reads. Throws RunError when they cannot be
+/// read.
 Digest digest_of_file(const FileDescriptor& file, std::uint64_t offset, std::uint64_t length,
                       const std::filesystem::path& path);
 

@@ -13,17 +13,19 @@ namespace vesica {
 /// All that `resume` needs.
 struct Checkpoint {
     EngineState engine;
-    std::string case_text;                            ///< the case in TOML with every change of the command line
+    std::string case_text;              ///< the case file, verbatim
+    std::vector<std::string> overrides; ///< `path=value`, in the order in which they were applied
     std::map<std::string, std::vector<double>> notes; ///< what schedules and measures remember, by name
     std::string program_version;
 };
 
-/// Writes one file, whole or not at all; the same checkpoint gives the same bytes. Numbers are kept bit for bit:
-/// arrays whose every value is a float are stored as floats in a single precision run. Throws RunError (no space,
-/// which is asked for first; vanished directory).
+/// Writes one file, whole or not at all; the same checkpoint gives the same bytes. Numbers are kept bit for
+/// bit: arrays whose every value is a float are stored as floats in a single precision run. Throws RunError
+/// (no space, which is asked for first; vanished directory).
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-/// Verifies the digest of the whole file before HDF5 opens it. Throws RunError naming the file and what is wrong.
+/// Verifies the digest of the whole file before HDF5 opens it. Throws RunError naming the file and what is
+/// wrong.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// What a checkpoint says of itself, read without its arrays but verified in full.

@@ -21,7 +21,8 @@ namespace vesica {
 ///  48  16 bytes  digest of the seal itself with these 16 bytes zero
 ///  64            a line of text for whoever looks at it with a pager, then zeros
 ///
-/// So every bit of the file is under a digest, and both are verified with plain reads before HDF5 sees the file.
+/// So every bit of the file is under a digest, and both are verified with plain reads before HDF5 sees the
+/// file.
 struct CheckpointSeal {
     std::uint32_t format_version = 0;
     std::uint64_t payload_bytes = 0;
@@ -34,8 +35,8 @@ inline constexpr std::uint32_t checkpoint_format_version = 1;
 /// Digests what stands behind the seal and writes the seal.
 void seal(AtomicFile& file, std::string_view text);
 
-/// Reads and verifies the seal and every byte behind it. Throws RunError naming the file and what is wrong with
-/// it: no checkpoint, truncated, damaged, or of another version of the format.
+/// Reads and verifies the seal and every byte behind it. Throws RunError naming the file and what is wrong
+/// with it: no checkpoint, truncated, damaged, or of another version of the format.
 CheckpointSeal verify_seal(const std::filesystem::path& path);
 
 /// Whether the file begins like a checkpoint, intact or not.

@@ -4,26 +4,24 @@
 #include "io/posix_file.hpp"
 #include "io/step_name.hpp"
 
-#include <cassert>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cassert>
+
 namespace vesica {
 
-std::filesystem::path checkpoint_path(const std::filesystem::path& directory, std::int64_t step)
-{
+std::filesystem::path checkpoint_path(const std::filesystem::path& directory, std::int64_t step) {
     return directory / step_name("step_", step, ".h5");
 }
 
 CheckpointStore::CheckpointStore(std::filesystem::path directory, int keep)
-    : directory_(std::move(directory)), keep_(keep)
-{
+    : directory_(std::move(directory)), keep_(keep) {
     assert(keep_ >= 1);
     make_subdirectory(directory_);
 }
 
-std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint) const
-{
+std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint) const {
     const auto path = checkpoint_path(directory_, checkpoint.engine.step);
     write_checkpoint(path, checkpoint);
     auto steps = list_steps(directory_, "step_", ".h5");
@@ -35,8 +33,7 @@ std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint) const
     return path;
 }
 
-IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory)
-{
+IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory) {
     std::vector<std::string> refused;
     const auto steps = list_steps(directory, "step_", ".h5");
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
@@ -47,7 +44,8 @@ IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory
             refused.emplace_back(error.what());
         }
     }
-    if (refused.empty()) throw RunError(fmt::format("{}: holds no checkpoint", directory.string()));
+    if (refused.empty())
+        throw RunError(fmt::format("{}: holds no checkpoint", directory.string()));
     throw RunError(
         fmt::format("{}: holds no intact checkpoint:\n  {}", directory.string(), fmt::join(refused, "\n  ")));
 }

@@ -14,9 +14,9 @@ public:
     /// Creates the directory if needed. Throws RunError.
     CheckpointStore(std::filesystem::path directory, int keep);
 
-    /// Writes, and only then removes older checkpoints beyond the `keep` newest up to this step. Those of later
-    /// steps (a resumed run went back behind damaged ones) do not count and stay until they are written anew.
-    /// Returns the file. Throws RunError.
+    /// Writes, and only then removes older checkpoints beyond the `keep` newest up to this step. Those of
+    /// later steps (a resumed run went back behind damaged ones) do not count and stay until they are written
+    /// anew. Returns the file. Throws RunError.
     std::filesystem::path write(const Checkpoint& checkpoint) const;
 
 private:

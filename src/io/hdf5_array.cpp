@@ -2,8 +2,9 @@
 
 #include "core/input_error.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vesica {
 namespace {
@@ -12,36 +13,34 @@ constexpr const char* cannot_write = "cannot write";
 constexpr const char* cannot_read = "cannot read";
 
 void write_attribute_of(hid_t object, const char* name, hid_t stored, hid_t memory, hid_t space,
-                        const void* values, const std::filesystem::path& path)
-{
+                        const void* values, const std::filesystem::path& path) {
     const Hdf5Attribute attribute(
         hdf5_checked(H5Acreate2(object, name, stored, space, H5P_DEFAULT, H5P_DEFAULT), path, cannot_write));
     hdf5_checked(H5Awrite(attribute, memory, values), path, cannot_write);
 }
 
-Hdf5Attribute open_attribute(hid_t object, const char* name, const std::filesystem::path& path)
-{
+Hdf5Attribute open_attribute(hid_t object, const char* name, const std::filesystem::path& path) {
     const hid_t id = H5Aopen(object, name, H5P_DEFAULT);
-    if (id < 0) throw RunError(fmt::format("{}: lacks the attribute {}", path.string(), name));
+    if (id < 0)
+        throw RunError(fmt::format("{}: lacks the attribute {}", path.string(), name));
     return Hdf5Attribute(id);
 }
 
 /// Selects rows of the file's space; returns the matching space in memory.
-Hdf5Space select_rows(hid_t file_space, hsize_t first, hsize_t count, const std::filesystem::path& path)
-{
+Hdf5Space select_rows(hid_t file_space, hsize_t first, hsize_t count, const std::filesystem::path& path) {
     const int rank = H5Sget_simple_extent_ndims(file_space);
     std::vector<hsize_t> extent(static_cast<std::size_t>(std::max(rank, 1)));
     hdf5_checked(H5Sget_simple_extent_dims(file_space, extent.data(), nullptr), path, cannot_read);
     std::vector<hsize_t> start(extent.size(), 0);
     start.front() = first;
     extent.front() = count;
-    hdf5_checked(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr),
-                 path, cannot_read);
+    hdf5_checked(
+        H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr), path,
+        cannot_read);
     return Hdf5Space(hdf5_checked(H5Screate_simple(rank, extent.data(), nullptr), path, cannot_read));
 }
 
-Hdf5Properties access_properties()
-{
+Hdf5Properties access_properties() {
     Hdf5Properties access(H5Pcreate(H5P_FILE_ACCESS));
     // Some parallel file systems know no locks; the lock of the output directory already keeps others away.
     H5Pset_file_locking(access, true, true);
@@ -51,48 +50,47 @@ Hdf5Properties access_properties()
 } // namespace
 
 Hdf5File create_hdf5(const std::filesystem::path& location, std::uint64_t user_block,
-                     const std::filesystem::path& path)
-{
+                     const std::filesystem::path& path) {
     const Hdf5Properties creation(H5Pcreate(H5P_FILE_CREATE));
-    if (user_block > 0) hdf5_checked(H5Pset_userblock(creation, user_block), path, cannot_write);
+    if (user_block > 0)
+        hdf5_checked(H5Pset_userblock(creation, user_block), path, cannot_write);
     hdf5_checked(H5Pset_obj_track_times(creation, false), path, cannot_write);
     const hid_t id = H5Fcreate(location.c_str(), H5F_ACC_TRUNC, creation, access_properties());
     return Hdf5File(hdf5_checked(id, path, "cannot create"));
 }
 
-Hdf5File open_hdf5(const std::filesystem::path& path)
-{
+Hdf5File open_hdf5(const std::filesystem::path& path) {
     const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_properties());
     return Hdf5File(hdf5_checked(id, path, "cannot open as HDF5"));
 }
 
-void close_hdf5(Hdf5File& file, const std::filesystem::path& path)
-{
+void close_hdf5(Hdf5File& file, const std::filesystem::path& path) {
     hdf5_checked(file.close(), path, cannot_write);
 }
 
-Hdf5Group create_group(hid_t parent, const std::string& name, const std::filesystem::path& path)
-{
+Hdf5Group create_group(hid_t parent, const std::string& name, const std::filesystem::path& path) {
     const Hdf5Properties creation(H5Pcreate(H5P_GROUP_CREATE));
     hdf5_checked(H5Pset_obj_track_times(creation, false), path, cannot_write);
     const hid_t id = H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT);
     return Hdf5Group(hdf5_checked(id, path, cannot_write));
 }
 
-Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type, const std::vector<hsize_t>& shape,
-                         int level, const std::filesystem::path& path)
-{
-    const Hdf5Space space(
-        hdf5_checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), path, cannot_write));
+Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type,
+                         const std::vector<hsize_t>& shape, int level, const std::filesystem::path& path) {
+    const Hdf5Space space(hdf5_checked(
+        H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), path, cannot_write));
     const Hdf5Properties creation(H5Pcreate(H5P_DATASET_CREATE));
     hdf5_checked(H5Pset_obj_track_times(creation, false), path, cannot_write);
     const bool empty = std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
     if (level > 0 && !empty) {
         std::vector<hsize_t> chunk = shape;
         hsize_t plane = H5Tget_size(stored_type);
-        for (std::size_t i = 1; i < chunk.size(); ++i) plane *= chunk[i];
-        chunk.front() = std::clamp<hsize_t>((hsize_t{1} << 20) / std::max<hsize_t>(plane, 1), 1, shape.front());
-        hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path, cannot_write);
+        for (std::size_t i = 1; i < chunk.size(); ++i)
+            plane *= chunk[i];
+        chunk.front() =
+            std::clamp<hsize_t>((hsize_t{1} << 20) / std::max<hsize_t>(plane, 1), 1, shape.front());
+        hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path,
+                     cannot_write);
         hdf5_checked(H5Pset_shuffle(creation), path, cannot_write);
         hdf5_checked(H5Pset_deflate(creation, static_cast<unsigned>(level)), path, cannot_write);
     }
@@ -101,41 +99,40 @@ Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_typ
 }
 
 void write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* values,
-                const std::filesystem::path& path)
-{
-    if (count == 0) return;
+                const std::filesystem::path& path) {
+    if (count == 0)
+        return;
     const Hdf5Space space(hdf5_checked(H5Dget_space(dataset), path, cannot_write));
     const Hdf5Space memory = select_rows(space, first, count, path);
     hdf5_checked(H5Dwrite(dataset, memory_type, memory, space, H5P_DEFAULT, values), path, cannot_write);
 }
 
 void read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* values,
-               const std::filesystem::path& path)
-{
-    if (count == 0) return;
+               const std::filesystem::path& path) {
+    if (count == 0)
+        return;
     const Hdf5Space space(hdf5_checked(H5Dget_space(dataset), path, cannot_read));
     const Hdf5Space memory = select_rows(space, first, count, path);
     hdf5_checked(H5Dread(dataset, memory_type, memory, space, H5P_DEFAULT, values), path, cannot_read);
 }
 
-Hdf5Dataset open_array(hid_t parent, const std::string& name, const std::filesystem::path& path)
-{
+Hdf5Dataset open_array(hid_t parent, const std::string& name, const std::filesystem::path& path) {
     const hid_t id = H5Dopen2(parent, name.c_str(), H5P_DEFAULT);
-    if (id < 0) throw RunError(fmt::format("{}: lacks the array {}", path.string(), name));
+    if (id < 0)
+        throw RunError(fmt::format("{}: lacks the array {}", path.string(), name));
     return Hdf5Dataset(id);
 }
 
-std::vector<hsize_t> shape_of(hid_t dataset, const std::filesystem::path& path)
-{
+std::vector<hsize_t> shape_of(hid_t dataset, const std::filesystem::path& path) {
     const Hdf5Space space(hdf5_checked(H5Dget_space(dataset), path, cannot_read));
     const int rank = hdf5_checked(H5Sget_simple_extent_ndims(space), path, cannot_read);
     std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
-    if (rank > 0) hdf5_checked(H5Sget_simple_extent_dims(space, shape.data(), nullptr), path, cannot_read);
+    if (rank > 0)
+        hdf5_checked(H5Sget_simple_extent_dims(space, shape.data(), nullptr), path, cannot_read);
     return shape;
 }
 
-std::vector<std::string> names_in(hid_t group, const std::filesystem::path& path)
-{
+std::vector<std::string> names_in(hid_t group, const std::filesystem::path& path) {
     std::vector<std::string> names;
     const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
         static_cast<std::vector<std::string>*>(list)->emplace_back(name);
@@ -145,22 +142,20 @@ std::vector<std::string> names_in(hid_t group, const std::filesystem::path& path
     return names;
 }
 
-void write_attribute(hid_t object, const char* name, std::int64_t value, const std::filesystem::path& path)
-{
+void write_attribute(hid_t object, const char* name, std::int64_t value, const std::filesystem::path& path) {
     const Hdf5Space space(H5Screate(H5S_SCALAR));
     write_attribute_of(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, space, &value, path);
 }
 
 void write_attribute(hid_t object, const char* name, std::span<const double> values,
-                     const std::filesystem::path& path)
-{
+                     const std::filesystem::path& path) {
     const hsize_t count = values.size();
     const Hdf5Space space(H5Screate_simple(1, &count, nullptr));
     write_attribute_of(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, values.data(), path);
 }
 
-void write_attribute(hid_t object, const char* name, const std::string& text, const std::filesystem::path& path)
-{
+void write_attribute(hid_t object, const char* name, const std::string& text,
+                     const std::filesystem::path& path) {
     const Hdf5Space space(H5Screate(H5S_SCALAR));
     const Hdf5Type type(H5Tcopy(H5T_C_S1));
     hdf5_checked(H5Tset_size(type, text.size() + 1), path, cannot_write);
@@ -168,8 +163,7 @@ void write_attribute(hid_t object, const char* name, const std::string& text, co
     write_attribute_of(object, name, type, type, space, text.c_str(), path);
 }
 
-std::int64_t read_integer_attribute(hid_t object, const char* name, const std::filesystem::path& path)
-{
+std::int64_t read_integer_attribute(hid_t object, const char* name, const std::filesystem::path& path) {
     const Hdf5Attribute attribute = open_attribute(object, name, path);
     const Hdf5Space space(hdf5_checked(H5Aget_space(attribute), path, cannot_read));
     if (H5Sget_simple_extent_npoints(space) != 1)
@@ -179,8 +173,7 @@ std::int64_t read_integer_attribute(hid_t object, const char* name, const std::f
     return value;
 }
 
-std::vector<double> read_real_attribute(hid_t object, const char* name, const std::filesystem::path& path)
-{
+std::vector<double> read_real_attribute(hid_t object, const char* name, const std::filesystem::path& path) {
     const Hdf5Attribute attribute = open_attribute(object, name, path);
     const Hdf5Space space(hdf5_checked(H5Aget_space(attribute), path, cannot_read));
     std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
@@ -188,12 +181,12 @@ std::vector<double> read_real_attribute(hid_t object, const char* name, const st
     return values;
 }
 
-std::string read_text_attribute(hid_t object, const char* name, const std::filesystem::path& path)
-{
+std::string read_text_attribute(hid_t object, const char* name, const std::filesystem::path& path) {
     const Hdf5Attribute attribute = open_attribute(object, name, path);
     const Hdf5Type type(hdf5_checked(H5Aget_type(attribute), path, cannot_read));
     if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0)
-        throw RunError(fmt::format("{}: the attribute {} is not a text of fixed length", path.string(), name));
+        throw RunError(
+            fmt::format("{}: the attribute {} is not a text of fixed length", path.string(), name));
     std::string text(H5Tget_size(type), '\0');
     hdf5_checked(H5Aread(attribute, type, text.data()), path, cannot_read);
     text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));

@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
-/// Arrays, texts and numbers in HDF5, as far as Vesica's files need them. Every function throws RunError that names
-/// `path`, the file in whose name it works.
+/// Arrays, texts and numbers in HDF5, as far as Vesica's files need them. Every function throws RunError that
+/// names `path`, the file in whose name it works.
 namespace vesica {
 
-/// Creates a file at `location` (a temporary name) with `user_block` free bytes in front. The same content gives the
-/// same bytes: no times are kept.
+/// Creates a file at `location` (a temporary name) with `user_block` free bytes in front. The same content
+/// gives the same bytes: no times are kept.
 Hdf5File create_hdf5(const std::filesystem::path& location, std::uint64_t user_block,
                      const std::filesystem::path& path);
 
@@ -26,8 +26,8 @@ void close_hdf5(Hdf5File& file, const std::filesystem::path& path);
 Hdf5Group create_group(hid_t parent, const std::string& name, const std::filesystem::path& path);
 
 /// `level` 0: contiguous; 1..9: in chunks of whole x-y planes of about 1 MB, shuffled and deflated.
-Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type, const std::vector<hsize_t>& shape,
-                         int level, const std::filesystem::path& path);
+Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type,
+                         const std::vector<hsize_t>& shape, int level, const std::filesystem::path& path);
 
 /// Fills rows [first, first + count) of the slowest index.
 void write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* values,
@@ -43,7 +43,8 @@ std::vector<std::string> names_in(hid_t group, const std::filesystem::path& path
 void write_attribute(hid_t object, const char* name, std::int64_t value, const std::filesystem::path& path);
 void write_attribute(hid_t object, const char* name, std::span<const double> values,
                      const std::filesystem::path& path);
-void write_attribute(hid_t object, const char* name, const std::string& text, const std::filesystem::path& path);
+void write_attribute(hid_t object, const char* name, const std::string& text,
+                     const std::filesystem::path& path);
 
 std::int64_t read_integer_attribute(hid_t object, const char* name, const std::filesystem::path& path);
 std::vector<double> read_real_attribute(hid_t object, const char* name, const std::filesystem::path& path);

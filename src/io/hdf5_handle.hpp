@@ -1,7 +1,8 @@
 #pragma once
 
-#include <filesystem>
 #include <hdf5.h>
+
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -14,16 +15,15 @@ public:
     Hdf5Handle() = default;
     explicit Hdf5Handle(hid_t id) : id_(id) {}
     Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
-    Hdf5Handle& operator=(Hdf5Handle&& other) noexcept
-    {
+    Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
         std::swap(id_, other.id_);
         return *this;
     }
     Hdf5Handle(const Hdf5Handle&) = delete;
     Hdf5Handle& operator=(const Hdf5Handle&) = delete;
-    ~Hdf5Handle()
-    {
-        if (id_ >= 0) close_identifier(id_);
+    ~Hdf5Handle() {
+        if (id_ >= 0)
+            close_identifier(id_);
     }
 
     operator hid_t() const { return id_; }
@@ -61,9 +61,9 @@ private:
 
 /// Passes a good identifier or status on; throws RunError for a negative one.
 template <class Result>
-Result hdf5_checked(Result result, const std::filesystem::path& path, std::string_view what)
-{
-    if (result < 0) fail_hdf5(path, what);
+Result hdf5_checked(Result result, const std::filesystem::path& path, std::string_view what) {
+    if (result < 0)
+        fail_hdf5(path, what);
     return result;
 }
 

@@ -4,51 +4,53 @@
 #include "io/number_text.hpp"
 #include "io/posix_file.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vesica {
 namespace {
 
 /// The numbers of one line, or nothing when it is not `columns` of them.
-std::optional<std::vector<double>> parse_row(std::string_view line, std::size_t columns)
-{
+std::optional<std::vector<double>> parse_row(std::string_view line, std::size_t columns) {
     std::vector<double> row;
     row.reserve(columns);
     while (true) {
         const std::size_t comma = line.find(',');
         const auto value = parse_number(line.substr(0, comma));
-        if (!value) return std::nullopt;
+        if (!value)
+            return std::nullopt;
         row.push_back(*value);
-        if (comma == std::string_view::npos) break;
+        if (comma == std::string_view::npos)
+            break;
         line.remove_prefix(comma + 1);
     }
-    if (row.size() != columns) return std::nullopt;
+    if (row.size() != columns)
+        return std::nullopt;
     return row;
 }
 
-std::vector<std::string> split_names(std::string_view line)
-{
+std::vector<std::string> split_names(std::string_view line) {
     std::vector<std::string> names;
     while (true) {
         const std::size_t comma = line.find(',');
         names.emplace_back(line.substr(0, comma));
-        if (comma == std::string_view::npos) return names;
+        if (comma == std::string_view::npos)
+            return names;
         line.remove_prefix(comma + 1);
     }
 }
 
 } // namespace
 
-std::optional<std::size_t> MetricsTable::column(std::string_view name) const
-{
+std::optional<std::size_t> MetricsTable::column(std::string_view name) const {
     const auto found = std::find(columns.begin(), columns.end(), name);
-    if (found == columns.end()) return std::nullopt;
+    if (found == columns.end())
+        return std::nullopt;
     return static_cast<std::size_t>(found - columns.begin());
 }
 
-MetricsTable read_metrics(const std::filesystem::path& path)
-{
+MetricsTable read_metrics(const std::filesystem::path& path) {
     const std::string content = read_whole_file(path);
     const std::size_t header_length = content.find('\n');
     if (header_length == std::string::npos || header_length == 0)
@@ -63,13 +65,14 @@ MetricsTable read_metrics(const std::filesystem::path& path)
     while (begin < content.size()) {
         ++line_number;
         const std::size_t end = content.find('\n', begin);
-        if (end == std::string::npos) break;
+        if (end == std::string::npos)
+            break;
         auto row = parse_row(std::string_view(content).substr(begin, end - begin), table.columns.size());
-        // A crash tears only the end of the file. Whole rows after a bad one mean that something else happened,
-        // and cutting there would lose good data silently.
+        // A crash tears only the end of the file. Whole rows after a bad one mean that something else
+        // happened, and cutting there would lose good data silently.
         if (row && first_bad_line != 0)
-            throw RunError(fmt::format("{}:{}: is damaged: expected {} numbers", path.string(), first_bad_line,
-                                       table.columns.size()));
+            throw RunError(fmt::format("{}:{}: is damaged: expected {} numbers", path.string(),
+                                       first_bad_line, table.columns.size()));
         if (row) {
             table.rows.push_back(std::move(*row));
             table.row_ends.push_back(end + 1);

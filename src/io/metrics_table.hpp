@@ -20,8 +20,8 @@ struct MetricsTable {
     std::optional<std::size_t> column(std::string_view name) const;
 };
 
-/// Reads the whole rows; a torn end is left out and counted. Throws RunError when the file cannot be read, has no
-/// header, or is damaged before its end (`FILE:LINE: ...`).
+/// Reads the whole rows; a torn end is left out and counted. Throws RunError when the file cannot be read,
+/// has no header, or is damaged before its end (`FILE:LINE: ...`).
 MetricsTable read_metrics(const std::filesystem::path& path);
 
 } // namespace vesica

@@ -7,8 +7,7 @@
 
 namespace vesica {
 
-void append_number(std::string& text, double value)
-{
+void append_number(std::string& text, double value) {
     if (std::isnan(value)) {
         text += "nan"; // never "-nan": the sign of a NaN means nothing
         return;
@@ -20,12 +19,13 @@ void append_number(std::string& text, double value)
     text.append(buffer.data(), static_cast<std::size_t>(result.ptr - buffer.data()));
 }
 
-std::optional<double> parse_number(std::string_view text)
-{
-    if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+std::optional<double> parse_number(std::string_view text) {
+    if (text == "nan")
+        return std::numeric_limits<double>::quiet_NaN();
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    if (error != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
     return value;
 }
 

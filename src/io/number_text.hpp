@@ -6,8 +6,8 @@
 
 namespace vesica {
 
-/// Appends the shortest decimal text that reads back as the same double (`nan`, `inf`, `-inf` where it is not a
-/// number). Whole numbers below 1e15 are written without an exponent, so that steps look like steps.
+/// Appends the shortest decimal text that reads back as the same double (`nan`, `inf`, `-inf` where it is not
+/// a number). Whole numbers below 1e15 are written without an exponent, so that steps look like steps.
 void append_number(std::string& text, double value);
 
 /// The number that `text` spells in full, or nothing.

@@ -10,7 +10,8 @@
 namespace vesica {
 
 /// Throws RunError: `PATH: WHAT: the system's words for the error number`.
-[[noreturn]] void fail_with_errno(const std::filesystem::path& path, std::string_view what, int error = errno);
+[[noreturn]] void fail_with_errno(const std::filesystem::path& path, std::string_view what,
+                                  int error = errno);
 
 /// An open file of the operating system; closed when it goes.
 class FileDescriptor {

@@ -4,8 +4,9 @@
 #include "io/checkpoint_store.hpp"
 #include "scratch_directory.hpp"
 
-#include <bit>
 #include <catch2/catch.hpp>
+
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -16,8 +17,7 @@ using namespace vesica;
 namespace {
 
 /// A state of awkward numbers: every exponent, both zeros, infinities, quiet NaNs with a payload, denormals.
-Checkpoint awkward_checkpoint(Precision precision, Vec3<int> size = {7, 5, 3})
-{
+Checkpoint awkward_checkpoint(Precision precision, Vec3<int> size = {7, 5, 3}) {
     std::mt19937_64 random(20210901);
     Checkpoint checkpoint;
     EngineState& state = checkpoint.engine;
@@ -26,12 +26,14 @@ Checkpoint awkward_checkpoint(Precision precision, Vec3<int> size = {7, 5, 3})
     state.size = size;
     const auto cells = static_cast<std::size_t>(size.x * size.y * size.z);
     const auto number = [&]() -> double {
-        if (precision == Precision::double_precision) return std::bit_cast<double>(random() | (1ULL << 51));
+        if (precision == Precision::double_precision)
+            return std::bit_cast<double>(random() | (1ULL << 51));
         return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(random()) | (1U << 22)));
     };
     state.populations.assign(19, std::vector<double>(cells));
     for (auto& row : state.populations)
-        for (double& value : row) value = number();
+        for (double& value : row)
+            value = number();
     state.populations[3][0] = -0.0;
     state.populations[3][1] = std::numeric_limits<float>::denorm_min();
     for (std::size_t i = 0; i < cells; ++i) {
@@ -40,18 +42,19 @@ Checkpoint awkward_checkpoint(Precision precision, Vec3<int> size = {7, 5, 3})
     }
     state.controllers = {1.0 / 3.0, -2e-300, 0.1};
     checkpoint.case_text = std::string("title = \"caf\xc3\xa9\"\n\0with a zero byte", 35);
-    checkpoint.notes = {{"initial_mass", {1.0 / 7.0}}, {"nothing", {}}, {"unwrapped centre", {1.5, -2.5, 1e-9}}};
+    checkpoint.overrides = {"run.steps=10", "title=\"two\nlines\"", ""};
+    checkpoint.notes = {
+        {"initial_mass", {1.0 / 7.0}}, {"nothing", {}}, {"unwrapped centre", {1.5, -2.5, 1e-9}}};
     checkpoint.program_version = "0.1.0";
     return checkpoint;
 }
 
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b)
-{
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
-void require_same(const Checkpoint& a, const Checkpoint& b)
-{
+void require_same(const Checkpoint& a, const Checkpoint& b) {
     REQUIRE(a.engine.step == b.engine.step);
     REQUIRE(a.engine.precision == b.engine.precision);
     REQUIRE(a.engine.size == b.engine.size);
@@ -62,20 +65,20 @@ void require_same(const Checkpoint& a, const Checkpoint& b)
     REQUIRE(same_bits(a.engine.controllers, b.engine.controllers));
     REQUIRE(a.engine.band == b.engine.band);
     REQUIRE(a.case_text == b.case_text);
+    REQUIRE(a.overrides == b.overrides);
     REQUIRE(a.program_version == b.program_version);
     REQUIRE(a.notes.size() == b.notes.size());
-    for (const auto& [name, values] : a.notes) REQUIRE(same_bits(values, b.notes.at(name)));
+    for (const auto& [name, values] : a.notes)
+        REQUIRE(same_bits(values, b.notes.at(name)));
 }
 
-std::string refusal(const std::filesystem::path& path)
-{
+std::string refusal(const std::filesystem::path& path) {
     return complaint_of<RunError>([&] { read_checkpoint(path); });
 }
 
 } // namespace
 
-TEST_CASE("a checkpoint read is the checkpoint written, bit for bit")
-{
+TEST_CASE("a checkpoint read is the checkpoint written, bit for bit") {
     const ScratchDirectory scratch;
     for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
         const Checkpoint written = awkward_checkpoint(precision);
@@ -84,8 +87,7 @@ TEST_CASE("a checkpoint read is the checkpoint written, bit for bit")
     }
 }
 
-TEST_CASE("a single precision checkpoint takes half the space, unless a value is not a float")
-{
+TEST_CASE("a single precision checkpoint takes half the space, unless a value is not a float") {
     const ScratchDirectory scratch;
     const Vec3<int> size{32, 32, 32};
     Checkpoint checkpoint = awkward_checkpoint(Precision::double_precision, size);
@@ -101,24 +103,21 @@ TEST_CASE("a single precision checkpoint takes half the space, unless a value is
     require_same(checkpoint, read_checkpoint(scratch / "mixed.h5"));
 }
 
-TEST_CASE("a checkpoint without vesicles and cells survives too")
-{
+TEST_CASE("a checkpoint without vesicles and cells survives too") {
     const ScratchDirectory scratch;
     Checkpoint empty;
     write_checkpoint(scratch / "a.h5", empty);
     require_same(empty, read_checkpoint(scratch / "a.h5"));
 }
 
-TEST_CASE("the same checkpoint gives the same bytes")
-{
+TEST_CASE("the same checkpoint gives the same bytes") {
     const ScratchDirectory scratch;
     write_checkpoint(scratch / "a.h5", awkward_checkpoint(Precision::double_precision));
     write_checkpoint(scratch / "b.h5", awkward_checkpoint(Precision::double_precision));
     REQUIRE(content_of(scratch / "a.h5") == content_of(scratch / "b.h5"));
 }
 
-TEST_CASE("no flipped bit is ever accepted")
-{
+TEST_CASE("no flipped bit is ever accepted") {
     const ScratchDirectory scratch;
     const auto path = scratch / "a.h5";
     write_checkpoint(path, awkward_checkpoint(Precision::double_precision));
@@ -130,22 +129,25 @@ TEST_CASE("no flipped bit is ever accepted")
         put_content(path, bad);
         return refusal(path).find(path.string()) == 0;
     };
-    for (int i = 0; i < 200; ++i) REQUIRE(refuses_flip(random() % (good.size() * 8)));
-    for (std::size_t bit = 0; bit < 128 * 8; ++bit) REQUIRE(refuses_flip(bit));
-    for (int i = 0; i < 100; ++i) REQUIRE(refuses_flip(random() % (seal_bytes * 8)));
+    for (int i = 0; i < 200; ++i)
+        REQUIRE(refuses_flip(random() % (good.size() * 8)));
+    for (std::size_t bit = 0; bit < 128 * 8; ++bit)
+        REQUIRE(refuses_flip(bit));
+    for (int i = 0; i < 100; ++i)
+        REQUIRE(refuses_flip(random() % (seal_bytes * 8)));
     put_content(path, good);
     REQUIRE(refusal(path).empty());
 }
 
-TEST_CASE("no cut and no lengthening is ever accepted")
-{
+TEST_CASE("no cut and no lengthening is ever accepted") {
     const ScratchDirectory scratch;
     const auto path = scratch / "a.h5";
     write_checkpoint(path, awkward_checkpoint(Precision::double_precision));
     const std::string good = content_of(path);
     for (std::size_t length = 0; length < good.size(); length += 4096) {
         for (const std::size_t cut : {length, length + 1, length + 4095}) {
-            if (cut >= good.size()) continue;
+            if (cut >= good.size())
+                continue;
             put_content(path, good.substr(0, cut));
             REQUIRE(refusal(path).find(path.string()) == 0);
         }
@@ -157,8 +159,7 @@ TEST_CASE("no cut and no lengthening is ever accepted")
     REQUIRE_THAT(refusal(path), Catch::Contains("1 bytes follow its end"));
 }
 
-TEST_CASE("the refusal of a checkpoint says what is wrong with it")
-{
+TEST_CASE("the refusal of a checkpoint says what is wrong with it") {
     const ScratchDirectory scratch;
     const auto path = scratch / "a.h5";
     REQUIRE_THAT(refusal(path), Catch::EndsWith("a.h5: cannot open: No such file or directory"));
@@ -171,7 +172,8 @@ TEST_CASE("the refusal of a checkpoint says what is wrong with it")
     write_checkpoint(path, awkward_checkpoint(Precision::double_precision));
     const std::string good = content_of(path);
     put_content(path, good.substr(0, 1000));
-    REQUIRE_THAT(refusal(path), Catch::EndsWith("is truncated: 1000 bytes are left, its seal alone has 4096"));
+    REQUIRE_THAT(refusal(path),
+                 Catch::EndsWith("is truncated: 1000 bytes are left, its seal alone has 4096"));
     put_content(path, good.substr(0, 5000));
     REQUIRE_THAT(refusal(path),
                  Catch::EndsWith("is truncated: 5000 of " + std::to_string(good.size()) + " bytes are left"));
@@ -190,8 +192,7 @@ TEST_CASE("the refusal of a checkpoint says what is wrong with it")
                  Catch::EndsWith("has version 2 of the checkpoint format; this program reads version 1"));
 }
 
-TEST_CASE("a sealed file with foreign content is refused, not believed")
-{
+TEST_CASE("a sealed file with foreign content is refused, not believed") {
     const ScratchDirectory scratch;
     AtomicFile file(scratch / "a.h5");
     file.write(std::string(seal_bytes, '\0') + "not HDF5 at all");
@@ -200,8 +201,7 @@ TEST_CASE("a sealed file with foreign content is refused, not believed")
     REQUIRE_THAT(refusal(scratch / "a.h5"), Catch::Contains("a.h5: cannot open as HDF5"));
 }
 
-TEST_CASE("the summary of a checkpoint tells what it holds")
-{
+TEST_CASE("the summary of a checkpoint tells what it holds") {
     const ScratchDirectory scratch;
     write_checkpoint(scratch / "a.h5", awkward_checkpoint(Precision::single_precision));
     const CheckpointSummary summary = summarise_checkpoint(scratch / "a.h5");
@@ -214,12 +214,12 @@ TEST_CASE("the summary of a checkpoint tells what it holds")
     REQUIRE(summary.arrays.at(4) == "notes/initial_mass [1]");
 }
 
-TEST_CASE("the digest of a file is the digest of its blocks' digests")
-{
+TEST_CASE("the digest of a file is the digest of its blocks' digests") {
     const ScratchDirectory scratch;
     std::string content(2 * digest_block_bytes + 12345, '\0');
     std::mt19937_64 random(1);
-    for (char& byte : content) byte = static_cast<char>(random());
+    for (char& byte : content)
+        byte = static_cast<char>(random());
     put_content(scratch / "a", content);
     const std::string_view all = content;
     const std::vector<Digest> blocks = {digest_of(all.substr(3, digest_block_bytes)),
@@ -229,8 +229,7 @@ TEST_CASE("the digest of a file is the digest of its blocks' digests")
     REQUIRE(digest_of_file(file, 3, content.size() - 3, scratch / "a") == combine_digests(blocks));
 }
 
-TEST_CASE("the store keeps the newest checkpoints and falls back behind damaged ones")
-{
+TEST_CASE("the store keeps the newest checkpoints and falls back behind damaged ones") {
     const ScratchDirectory scratch;
     const auto directory = scratch / "checkpoints";
     const CheckpointStore store(directory, 2);
@@ -251,8 +250,7 @@ TEST_CASE("the store keeps the newest checkpoints and falls back behind damaged 
     REQUIRE(found.refused.size() == 1);
     REQUIRE_THAT(found.refused[0], Catch::Contains("step_000000300.h5: is truncated"));
 
-    SECTION("a damaged later checkpoint does not push out intact ones")
-    {
+    SECTION("a damaged later checkpoint does not push out intact ones") {
         const CheckpointStore narrow(directory, 1);
         checkpoint.engine.step = 250;
         narrow.write(checkpoint);
@@ -260,16 +258,14 @@ TEST_CASE("the store keeps the newest checkpoints and falls back behind damaged 
         REQUIRE(newest_intact_checkpoint(directory).checkpoint.engine.step == 250);
         REQUIRE_FALSE(exists(checkpoint_path(directory, 200)));
     }
-    SECTION("with none intact every reason is given")
-    {
+    SECTION("with none intact every reason is given") {
         put_content(checkpoint_path(directory, 200), "");
         const std::string text = complaint_of<RunError>([&] { newest_intact_checkpoint(directory); });
         REQUIRE_THAT(text, Catch::Contains("checkpoints: holds no intact checkpoint:\n"));
         REQUIRE_THAT(text, Catch::Contains("step_000000300.h5: is truncated"));
         REQUIRE_THAT(text, Catch::Contains("step_000000200.h5: is empty"));
     }
-    SECTION("an empty or missing directory holds no checkpoint")
-    {
+    SECTION("an empty or missing directory holds no checkpoint") {
         REQUIRE_THAT(complaint_of<RunError>([&] { newest_intact_checkpoint(scratch / "none"); }),
                      Catch::EndsWith("none: holds no checkpoint"));
     }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/scales.hpp"
+#include "core/vec3.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vesica {
+
+/// A statement about the run that can be wrong: "mass is conserved", found and allowed in words.
+struct Verdict {
+    std::string name;
+    bool passed = false;
+    std::string text;
+};
+
+/// What summary.json tells of a run.
+struct RunSummary {
+    std::string title;
+    std::string end;    ///< finished, steady, stopped or failed
+    std::string reason; ///< why it ended so; empty when finished
+    std::int64_t first_step = 0;
+    std::int64_t last_step = 0;
+    std::vector<Verdict> verdicts;
+    std::vector<std::string> warnings;
+
+    Vec3<int> size{};
+    std::string precision; ///< double or single
+    std::string device;    ///< cpu or cuda
+    std::string instruction_set;
+    int threads = 1;
+    int ranks = 1;
+    double bytes_allocated = 0.0;
+    double mlups = 0.0;                          ///< million lattice updates per second of stepping
+    std::map<std::string, double> seconds;       ///< wall time by what it was spent on
+    std::map<std::string, std::string> versions; ///< vesica, compiler, hdf5, ...
+
+    std::optional<Scales> scales;                ///< absent: lattice units only
+    std::map<std::string, double> dimensionless; ///< Reynolds, capillary numbers, ...
+
+    std::vector<std::string> columns;              ///< of the metrics
+    std::vector<std::vector<double>> last_metrics; ///< a row per vesicle
+};
+
+/// Writes the summary as JSON, whole or not at all. Numbers that are not finite become null, which is all
+/// JSON has for them. Throws RunError.
+void write_summary(const std::filesystem::path& path, const RunSummary& summary);
+
+} // namespace vesica
