@@ -64,7 +64,7 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads)
     setup.precision = parameters.numerics.precision;
     setup.threads = threads;
     setup.layer = {fluid.segregation, fluid.density, parameters.numerics.cutoff, parameters.numerics.geometry};
-    setup.layer_moment = lattice_layer_moments(fluid.segregation).area;
+    setup.layer_moments = lattice_layer_moments(fluid.segregation);
     if (parameters.vesicles.empty()) return setup;
 
     const VesicleParameters& vesicle = parameters.vesicles.front();

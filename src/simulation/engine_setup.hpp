@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/parameters.hpp"
+#include "measure/layer_moment.hpp"
 #include "simulation/initial_state.hpp"
 #include "simulation/membrane_model.hpp"
 
@@ -29,7 +30,7 @@ struct EngineSetup {
     StressRates rates;
     GhostRates ghosts;
     LayerSettings layer;
-    double layer_moment = 0.0; ///< <s^2> of the relaxed layer, cells^2
+    LayerMoments layer_moments; ///< of the relaxed layer
     double spontaneous_curvature = 0.0;
     double bending_modulus = 0.0;
     Membrane membrane;

@@ -42,7 +42,10 @@ Vec3<double> LatticeEngine<Real>::middle() const
         }
     }
     Vec3<double> middle;
-    for (int a = 0; a < 3; ++a) middle[a] = std::atan2(sine[a], cosine[a]) / turn[a];
+    for (int a = 0; a < 3; ++a) {
+        const double angle = std::atan2(sine[a], cosine[a]);
+        middle[a] = (angle < 0.0 ? angle + 2 * pi : angle) / turn[a];
+    }
     return middle;
 }
 
@@ -159,7 +162,8 @@ Snapshot LatticeEngine<Real>::snapshot() const
     if (layer_.empty()) return snapshot;
     VesicleSnapshot vesicle;
     vesicle.beta = setup_.layer.beta;
-    vesicle.layer_moment = setup_.layer_moment;
+    vesicle.layer_moment = setup_.layer_moments.area;
+    vesicle.layer = setup_.layer_moments;
     vesicle.bending_modulus = setup_.bending_modulus;
     vesicle.spontaneous_curvature = setup_.spontaneous_curvature;
     vesicle.tension = membrane_.tension();

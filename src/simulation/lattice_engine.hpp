@@ -129,11 +129,13 @@ private:
 
     void hold_area() { membrane_.hold_area(corrected_area(), step_); }
 
-    /// The measured area without the layer's offset 4 pi (1 - genus) <s^2>.
+    /// The measured area without the layer's excess, as measure/layer_moment.hpp states it.
     double corrected_area() const
     {
         const double spheres = std::round(layer_.sums().gaussian_curvature / (4.0 * pi));
-        return layer_.sums().raw_area - 4.0 * pi * spheres * setup_.layer_moment;
+        const LayerMoments& excess = setup_.layer_moments;
+        return layer_.sums().raw_area - 4.0 * pi * spheres * excess.area -
+               excess.bending * layer_.sums().square_mean_curvature;
     }
 
     LayerInfluence<Real> influence() const

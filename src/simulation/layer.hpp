@@ -36,6 +36,7 @@ inline constexpr int receiving = 6; ///< cells that colour may leak into within 
 struct LayerSums {
     double raw_area = 0.0;          ///< sum (beta/2)(1 - phi^2)
     double gaussian_curvature = 0.0; ///< int K dA
+    double square_mean_curvature = 0.0; ///< int H0^2 dA
 };
 
 /// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step is
@@ -185,6 +186,7 @@ public:
     void curvatures(int threads)
     {
         std::vector<LaneSum<38>> gaussian(static_cast<std::size_t>(threads));
+        std::vector<LaneSum<38>> square(static_cast<std::size_t>(threads));
         for_tiles(reach::curvature, threads, [&](const BandTile& t, std::size_t, int thread) {
             const Vec3<V> n = load(fields_.n, t);
             const Jacobian<V> G = jacobian<V>(around(fields_.n, t));
@@ -196,9 +198,12 @@ public:
             surface.K.store(fields_.K0.data() + t.slot());
             (mapped ? area_to_mid_surface(here, s) : V(1)).store(fields_.J.data() + t.slot());
             const V weight = V(0.5 * settings_.beta) * layer_density(V::load(fields_.chi.data() + t.slot()));
-            gaussian[at(thread)].add(select<Real>(V::mask(t.bits[reach::curvature]), weight * here.K, V(0)));
+            const auto counted = V::mask(t.bits[reach::curvature]);
+            gaussian[at(thread)].add(select<Real>(counted, weight * here.K, V(0)));
+            square[at(thread)].add(select<Real>(counted, weight * surface.H * surface.H, V(0)));
         });
         sums_.gaussian_curvature = merged(gaussian);
+        sums_.square_mean_curvature = merged(square);
         exchange({&fields_.H0});
     }
 
