@@ -4,7 +4,7 @@ _vesica() {
     local current=$2 previous=$3 command=${COMP_WORDS[1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "run check new info bench --help --version" -- "$current")
+        mapfile -t COMPREPLY < <(compgen -W "run check resume new info bench --help --version" -- "$current")
         return
     fi
     case $previous in
@@ -16,14 +16,15 @@ _vesica() {
             fi
             return
             ;;
-        --set | --threads | --steps) return ;;
+        --set | --threads | --steps | --size | --seconds) return ;;
     esac
     local options="--help"
     case $command in
-        run) options="--output --set --threads --steps --overwrite --help" ;;
-        check) options="--set --model --help" ;;
+        run) options="--output --set --threads --steps --overwrite --accept-soft-membranes --help" ;;
+        check) options="--set --threads --model --accept-soft-membranes --help" ;;
+        resume) options="--threads --steps --help" ;;
         new) options="--list --output --help" ;;
-        bench) options="--json --help" ;;
+        bench) options="--json --threads --size --seconds --help" ;;
         info) ;;
         *) return ;;
     esac
@@ -34,6 +35,7 @@ _vesica() {
     case $command in
         run | check) mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -X '!*.toml' -- "$current") ;;
         new) mapfile -t COMPREPLY < <(compgen -W "$(vesica new --list 2>/dev/null | awk '{ print $1 }')" -- "$current") ;;
+        resume) mapfile -t COMPREPLY < <(compgen -d -- "$current") ;;
         info) mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
     esac
 }
