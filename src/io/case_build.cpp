@@ -234,10 +234,6 @@ void check_references(const CaseValues& values) {
     if (vesicles.empty())
         values.refuse("vesicle",
                       "expected one [[vesicle]]; try [[vesicle]] with type, shape, centre and radius");
-    if (vesicles.size() > 1)
-        throw InputError(values.place(vesicles[1]), vesicles[1] +
-                                                        " is not available yet (more than one vesicle); "
-                                                        "expected one [[vesicle]]; try removing it");
     for (const std::string& vesicle : vesicles) {
         const std::string& type = values.text(vesicle + ".type");
         if (std::find(types.begin(), types.end(), "vesicle_type." + type) != types.end())

@@ -455,6 +455,7 @@ std::vector<CaseKey> all_keys() {
         {.path = "title",
          .kind = KeyKind::text,
          .meaning = "of the case, for people",
+         .example = "\"A resting vesicle\"",
          .default_value = "\"\""},
         {.path = "lattice.size",
          .kind = KeyKind::cells,

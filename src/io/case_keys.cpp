@@ -37,7 +37,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
-std::string array_words(const CaseKey& key, std::string_view element) {
+std::string words_with_range(const CaseKey& key, std::string_view element) {
     const std::string range = range_text(key);
     return fmt::format("{}{}{}", element, range.empty() ? "" : " ", range);
 }
@@ -85,29 +85,42 @@ std::string nearest_case_path(std::string_view unknown) {
             known.push_back(table.path);
     }
     const std::string_view name = leaf_of(unknown);
-    const auto best = [&](bool within_table) {
-        std::pair<std::size_t, std::string> result{std::string::npos, ""};
-        for (const std::string& path : known) {
-            const bool sibling = table_of(path) == table_of(unknown);
-            if ((within_table && !sibling) || leaf_of(path) == "*")
-                continue;
-            std::string_view leaf = leaf_of(path);
-            if (leaf.ends_with("[]"))
-                leaf.remove_suffix(2);
-            // Between equal names, the one whose tables look alike.
-            const std::size_t distance =
-                64 * edit_distance(leaf, name) + std::min<std::size_t>(63, edit_distance(path, unknown));
-            if (distance < result.first)
-                result = {distance, path};
-        }
-        return result;
+    const auto distance_to = [&](std::string_view leaf) {
+        if (leaf.ends_with("[]"))
+            leaf.remove_suffix(2);
+        // "rad" is an abbreviation of "radius" rather than a misspelt "run".
+        const bool abbreviation = name.size() >= 3 && leaf != name && leaf.starts_with(name);
+        return abbreviation ? 1 : edit_distance(leaf, name);
     };
-    const auto sibling = best(true);
-    const auto anywhere = best(false);
-    const std::size_t tolerance = 64 * (std::max<std::size_t>(2, name.size() / 3) + 1);
-    return sibling.first < tolerance || (sibling.first != std::string::npos && anywhere.first >= tolerance)
-               ? sibling.second
-               : anywhere.second;
+    const auto common_tables = [&](std::string_view path) {
+        std::size_t dots = 0;
+        for (std::size_t i = 0; i < std::min(path.size(), unknown.size()) && path[i] == unknown[i]; ++i)
+            dots += path[i] == '.' ? 1U : 0U;
+        return dots;
+    };
+    struct Match {
+        std::size_t distance = std::string::npos;
+        std::size_t common = 0;
+        std::string path{};
+    };
+    Match sibling, anywhere;
+    const auto improve = [](Match& best, const Match& match) {
+        if (match.distance < best.distance || (match.distance == best.distance && match.common > best.common))
+            best = match;
+    };
+    for (const std::string& path : known) {
+        if (leaf_of(path) == "*")
+            continue;
+        const Match match{distance_to(leaf_of(path)), common_tables(path), path};
+        improve(anywhere, match);
+        if (table_of(path) == table_of(unknown))
+            improve(sibling, match);
+    }
+    if (sibling.path.empty())
+        return anywhere.path;
+    // A name that exists elsewhere was more likely misplaced than misspelt beyond recognition.
+    const bool recognised = sibling.distance <= std::max<std::size_t>(2, name.size() / 3);
+    return recognised || anywhere.distance > 1 ? sibling.path : anywhere.path;
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
@@ -140,6 +153,13 @@ std::string range_text(const CaseKey& key) {
     return result;
 }
 
+std::string choices_or_table(const CaseKey& key) {
+    std::string text;
+    for (const std::string& choice : key.choices)
+        text += (text.empty() ? "\"" : ", \"") + choice + "\"";
+    return text + " or a table";
+}
+
 std::string expectation(const CaseKey& key) {
     const std::string unit = key.dimension == dimension::none ? "" : " of " + dimension_name(key.dimension);
     std::string text;
@@ -151,7 +171,7 @@ std::string expectation(const CaseKey& key) {
         text = joined_choices(key.choices, "or", true);
         break;
     case KeyKind::choice_or_table:
-        text = joined_choices(key.choices, "or", true) + " or a table";
+        text = choices_or_table(key);
         break;
     case KeyKind::names:
         text = "an array of " + joined_choices(key.choices, "and", true);
@@ -160,28 +180,28 @@ std::string expectation(const CaseKey& key) {
         text = "true or false";
         break;
     case KeyKind::integer:
-        text = array_words(key, "a whole number");
+        text = words_with_range(key, "a whole number");
         break;
     case KeyKind::steps:
-        text = array_words(key, "a whole number of steps, or a time,");
+        text = words_with_range(key, "a whole number of steps, or a time,");
         break;
     case KeyKind::number:
-        text = array_words(
-            key, key.dimension == dimension::none
-                     ? "a number"
-                     : fmt::format("a {}{}", dimension_name(key.dimension), key.si ? " with its unit" : ""));
+        text = words_with_range(key, key.dimension == dimension::none ? "a number"
+                                                                      : "a " + dimension_name(key.dimension));
+        if (key.si)
+            text += " with its unit";
         break;
     case KeyKind::cells:
-        text = array_words(key, "three whole numbers");
+        text = words_with_range(key, "three whole numbers");
         break;
     case KeyKind::point:
-        text = array_words(key, "three numbers" + unit);
+        text = words_with_range(key, "three numbers" + unit);
         break;
     case KeyKind::direction:
         text = "three numbers, not all zero";
         break;
     case KeyKind::degree:
-        text = array_words(key, "a whole number or [lowest, highest],");
+        text = words_with_range(key, "a whole number or [lowest, highest],");
         break;
     case KeyKind::region:
         text = "two corners [[x, y, z], [x, y, z]] in whole cells";

@@ -108,6 +108,9 @@ std::string range_text(const CaseKey& key);
 /// `radius = 15`: the words after `try`; with a unit where that is wanted.
 std::string suggestion(const CaseKey& key, bool with_unit = false);
 
+/// `"a", "b" or a table`.
+std::string choices_or_table(const CaseKey& key);
+
 /// "a, b or c".
 std::string joined_choices(const std::vector<std::string>& words, std::string_view last_word, bool quoted);
 

@@ -20,7 +20,7 @@ std::string kind_words(const CaseKey& key) {
     case KeyKind::choice:
         return joined_choices(key.choices, "or", true);
     case KeyKind::choice_or_table:
-        return joined_choices(key.choices, "or", true) + " or a table";
+        return choices_or_table(key);
     case KeyKind::names:
         return "array of " + joined_choices(key.choices, "and", true);
     case KeyKind::boolean:

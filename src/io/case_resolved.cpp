@@ -161,7 +161,16 @@ void write_units(Resolver& out, const Case& resolved) {
 void write_fluid(Resolver& out, const Case& resolved) {
     const FluidParameters& fluid = resolved.parameters.fluid;
     out.header("[fluid]", "fluid");
-    out.number("kinematic_viscosity", fluid.kinematic_viscosity);
+    // Where inertia is scaled, the dynamic viscosity is the fluid's own and the kinematic one is not.
+    std::string viscosity;
+    if (resolved.scales) {
+        viscosity = fmt::format(
+            "{}, {}",
+            to_text(resolved.scales->to_si(fluid.kinematic_viscosity, dimension::kinematic_viscosity)),
+            to_text(resolved.scales->to_si(fluid.kinematic_viscosity * fluid.density,
+                                           dimension::dynamic_viscosity)));
+    }
+    out.raw("kinematic_viscosity", number_text(fluid.kinematic_viscosity), viscosity);
     if (resolved.scales) {
         // The unit makes the scale of mass; on the lattice the density is 1 by definition.
         out.raw("density", quoted(number_text(resolved.scales->density) + " kg/m^3"), "1.0 in lattice units");

@@ -143,7 +143,7 @@ private:
             const std::string name = dimension_name(value.dimension);
             throw InputError(node.place,
                              fmt::format("{} is {}, a {}; expected a {}; try {}", path, shown(node), name,
-                                         dimension_name(key_.dimension), suggestion(key_, true)));
+                                         dimension_name(key_.dimension), suggestion(key_, !key_.si)));
         }
         const CaseScalar result{value, node.place, shown(node)};
         if (key_.si)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace vesica {
@@ -75,6 +76,30 @@ void set_places(TomlNode& node, const SourcePlace& place) {
     }
 }
 
+TomlNode parsed_value(const std::string& value) {
+    TomlNode document = parse_toml("value = " + value, "--set");
+    return std::move(*document.table()->front().node);
+}
+
+/// `[phase, force]` as `["phase", "force"]`: what is left of an array when the shell has taken its quotes.
+std::string with_quoted_words(const std::string& value) {
+    std::string result;
+    for (std::size_t at = 0; at < value.size();) {
+        std::size_t end = at;
+        while (end < value.size() && is_key_character(value[end]))
+            ++end;
+        const std::string word = value.substr(at, end - at);
+        const bool is_word = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0;
+        if (is_word && value.front() == '[' && word != "true" && word != "false") {
+            result += "\"" + word + "\"";
+        } else {
+            result += end > at ? word : value.substr(at, 1);
+        }
+        at = std::max(end, at + 1);
+    }
+    return result;
+}
+
 TomlNode parse_value(const std::string& value, const std::string& text) {
     if (value.empty())
         refuse(text, "the value is empty; expected a value after \"=\"; try fluid.density=1.0");
@@ -82,15 +107,18 @@ TomlNode parse_value(const std::string& value, const std::string& text) {
         refuse(text, "the value has more than one line; expected one value");
     TomlNode result;
     try {
-        TomlNode document = parse_toml("value = " + value, "--set");
-        result = std::move(*document.table()->front().node);
+        result = parsed_value(value);
     } catch (const InputError&) {
-        if (std::string_view("\"'[{").find(value.front()) != std::string_view::npos)
-            refuse(text,
-                   fmt::format("the value {} is no TOML; expected a number, a word, \"text\", [array] or "
-                               "{{table}}; try quoting it for the shell",
-                               value));
-        result.value = value;
+        try {
+            result = parsed_value(with_quoted_words(value));
+        } catch (const InputError&) {
+            if (std::string_view("\"'[{").find(value.front()) != std::string_view::npos)
+                refuse(text,
+                       fmt::format("the value {} is no TOML; expected a number, a word, \"text\", [array] or "
+                                   "{{table}}; try quoting it for the shell",
+                                   value));
+            result.value = value;
+        }
     }
     set_places(result, place_of(text));
     return result;
@@ -130,10 +158,14 @@ void apply_override(TomlNode& root, TomlOverride&& override_) {
             path += fmt::format("[{}]", segment.index);
         } else {
             auto* table = node->table();
-            if (!table)
-                throw InputError(place,
-                                 fmt::format("{} is {}; expected a table, to set its key {}",
-                                             path.empty() ? "the case" : path, shown(*node), segment.key));
+            if (!table) {
+                throw InputError(
+                    place,
+                    fmt::format("{} is {}; expected {}, to set its key {}", path.empty() ? "the case" : path,
+                                node->array() ? "an array" : shown(*node),
+                                node->array() ? fmt::format("an index, as in {}[0]", path) : "a table",
+                                segment.key));
+            }
             TomlNode* member = find_member(*table, segment.key);
             if (!member) {
                 const bool indexed = i + 1 < override_.path.size() && override_.path[i + 1].key.empty();
