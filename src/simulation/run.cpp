@@ -4,7 +4,6 @@
 #include "io/atomic_file.hpp"
 #include "io/case_file.hpp"
 #include "simulation/run_account.hpp"
-#include "simulation/run_case_text.hpp"
 #include "simulation/run_recorder.hpp"
 
 #include <chrono>
@@ -208,10 +207,7 @@ RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions
     OutputDirectory directory = directory_of_user([&] { return OutputDirectory::open(options.directory); });
     const IntactCheckpoint found =
         directory_of_user([&] { return newest_intact_checkpoint(options.directory / "checkpoints"); });
-    Case what = case_of_text(found.checkpoint.case_text);
-    if (const auto planned = found.checkpoint.notes.find("planned_steps");
-        planned != found.checkpoint.notes.end() && !planned->second.empty())
-        what.run.steps = static_cast<std::int64_t>(planned->second.front());
+    Case what = read_case_text(found.checkpoint.case_text, found.path.string());
     if (steps) what.run.steps = *steps;
 
     // What a case has been begun with is not refused any more.

@@ -1,8 +1,8 @@
 #include "simulation/run_recorder.hpp"
 
 #include "core/version.hpp"
+#include "io/case_file.hpp"
 #include "measure/surface.hpp"
-#include "simulation/run_case_text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -144,9 +144,8 @@ void RunRecorder::write_checkpoint(const Engine& engine)
     metrics_file_.flush();
     Checkpoint checkpoint;
     checkpoint.engine = engine.save();
-    checkpoint.case_text = case_text_of(case_);
+    checkpoint.case_text = resolved_toml(case_);
     checkpoint.notes = metrics_.notes();
-    checkpoint.notes["planned_steps"] = {static_cast<double>(case_.run.steps)};
     checkpoint.program_version = version;
     const std::filesystem::path path = checkpoints_.write(checkpoint);
     log_.information(fmt::format("step {}: checkpoint {}", engine.steps_done(), path.filename().string()));

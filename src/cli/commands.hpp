@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace vesica {
+
+/// What a command does once its options are read; returns the exit status.
+using Action = std::function<int()>;
+
+/// Each declares a command's options on `app` and leaves what to do in `action` when it is the one named.
+void declare_run(CLI::App& app, Action& action);
+void declare_resume(CLI::App& app, Action& action);
+void declare_check(CLI::App& app, Action& action);
+void declare_new(CLI::App& app, Action& action);
+void declare_info(CLI::App& app, Action& action);
+void declare_bench(CLI::App& app, Action& action);
+void declare_reproduce(CLI::App& app, Action& action);
+void declare_report(CLI::App& app, Action& action);
+
+/// Repeatable `--set path.key=value`.
+void declare_overrides(CLI::App& command, std::vector<std::string>& overrides);
+void declare_threads(CLI::App& command, int& threads);
+void declare_soft_membranes(CLI::App& command, bool& accepted);
+
+/// Throws InputError if this process is one of several that mpirun has started: each would run the whole case.
+void refuse_ranks();
+
+} // namespace vesica
