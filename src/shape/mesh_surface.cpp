@@ -23,6 +23,29 @@ double angle_between(const Vec3<double>& a, const Vec3<double>& b) {
     return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
+/// The part of a triangle that belongs to each corner: what is closest to it, or fixed parts where the
+/// circumcentre is outside (Meyer et al. 2003, "mixed area").
+std::array<double, 3> vertex_shares(const std::array<Vec3<double>, 3>& p) {
+    const double area = 0.5 * norm(cross(p[1] - p[0], p[2] - p[0]));
+    std::array<double, 3> cotangent{}, opposite{}, shares{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3<double>&a = p[(k + 1) % 3], &b = p[(k + 2) % 3];
+        cotangent[k] = dot(a - p[k], b - p[k]) / (2.0 * area);
+        opposite[k] = dot(a - b, a - b);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+        if (cotangent[k] < 0.0) {
+            shares.fill(area / 4.0);
+            shares[k] = area / 2.0;
+            return shares;
+        }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        shares[k] = (cotangent[i] * opposite[i] + cotangent[j] * opposite[j]) / 8.0;
+    }
+    return shares;
+}
+
 double volume_of(const TriangleMesh& mesh) {
     double sum = 0.0;
     for (const auto& t : mesh.triangles) {
@@ -91,14 +114,15 @@ void MeshSurface::estimate_curvature() {
     for (const auto& t : mesh_.triangles) {
         const auto p = corners(mesh_, t);
         const double twice_area = norm(cross(p[1] - p[0], p[2] - p[0]));
+        const auto shares = vertex_shares(p);
         for (std::size_t k = 0; k < 3; ++k) {
+            share[index(t[k])] += shares[k];
             const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
             const double cotangent = dot(p[i] - p[k], p[j] - p[k]) / twice_area;
             const Vec3<double> pull = (0.5 * cotangent) * (p[j] - p[i]);
             laplacian[index(t[i])] = laplacian[index(t[i])] + pull;
             laplacian[index(t[j])] = laplacian[index(t[j])] - pull;
             deficit[index(t[k])] -= angle_between(p[i] - p[k], p[j] - p[k]);
-            share[index(t[k])] += twice_area / 6.0;
         }
     }
     double largest = 0.0;

@@ -23,7 +23,8 @@ public:
     double area() const override { return area_; }
 
     /// An estimate: the largest principal curvature over the vertices, |H| + sqrt(H^2 - K) with H from the
-    /// cotangent formula and K from the angle deficit over a third of the adjacent area (Meyer et al. 2003).
+    /// cotangent formula and K from the angle deficit over the vertex's share of the area (Meyer et al.
+    /// 2003).
     double smallest_radius_of_curvature() const override { return smallest_radius_; }
 
 private:
