@@ -80,7 +80,7 @@ int command_line(int argument_count, const char* const* arguments)
     try {
         return parse_and_act(app, action, argument_count, arguments);
     } catch (const InputError& error) {
-        std::cerr << "vesica: " << error.what() << '\n';
+        std::cerr << error.what() << '\n'; // begins with FILE:LINE:COLUMN, which editors understand
         return input_wrong;
     } catch (const RunError& error) {
         std::cerr << "vesica: " << error.what() << '\n';

@@ -1,12 +1,32 @@
 #include "simulation/plan.hpp"
 
 #include "core/input_error.hpp"
+#include "simulation/plan_cost.hpp"
 #include "simulation/plan_judgement.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
 
 namespace vesica {
+
+namespace {
+
+/// The least that a case can take: nineteen populations and a colour per cell. An operating system that promises more
+/// memory than it has would end the run later, without a word.
+void judge_memory(const Parameters& parameters, double cells, Remarks& remarks)
+{
+    const double number = parameters.numerics.precision == Precision::double_precision ? 8.0 : 4.0;
+    const double least = 20.0 * number * cells;
+    const double available = available_memory();
+    if (available <= 0.0 || least <= available) return;
+    const Vec3<int>& size = parameters.size;
+    remarks.push_back({Remark::Severity::error, "lattice.size",
+                       fmt::format("lattice.size is [{}, {}, {}], which takes at least {:.1f} GB of memory; expected at "
+                                   "most the {:.1f} GB at hand; try a smaller box, or precision = \"single\"",
+                                   size.x, size.y, size.z, 1e-9 * least, 1e-9 * available)});
+}
+
+} // namespace
 
 Plan make_plan(const Case& what, const PlanOptions& options)
 {
@@ -27,6 +47,7 @@ Plan make_plan(const Case& what, const PlanOptions& options)
     plan.mach = plan.expected_speed / speed_of_sound;
 
     judge_fluid(parameters, plan, plan.remarks);
+    judge_memory(parameters, static_cast<double>(plan.cells), plan.remarks);
     for (std::size_t vesicle = 0; vesicle < parameters.vesicles.size(); ++vesicle)
         judge_vesicle(parameters, vesicle, plan.vesicles[vesicle], what.run, options, plan.remarks);
     judge_places(parameters, shapes, plan, plan.remarks);

@@ -1,0 +1,181 @@
+#include "simulation/plan.hpp"
+
+#include "core/input_error.hpp"
+#include "io/case_file.hpp"
+#include "simulation/plan_cost.hpp"
+#include "simulation/plan_text.hpp"
+#include "simulation/run_fake_engine.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace vesica;
+using Severity = Remark::Severity;
+
+namespace {
+
+std::string shipped()
+{
+    return std::string(VESICA_SOURCE_DIR) + "/cases/discocyte.toml";
+}
+
+Case discocyte(const std::vector<std::string>& overrides = {})
+{
+    return read_case(shipped(), overrides);
+}
+
+std::string all(const Plan& plan, Severity severity)
+{
+    std::string text;
+    for (const std::string& line : texts_of(plan.remarks, severity)) text += line + "\n";
+    return text;
+}
+
+bool says(const std::string& text, const std::string& part)
+{
+    INFO(text);
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("the shipped discocyte is accepted without a warning, with a note on its rim")
+{
+    const Plan plan = make_plan(discocyte());
+    CHECK(all(plan, Severity::error).empty());
+    CHECK(all(plan, Severity::warning).empty());
+    CHECK(says(all(plan, Severity::note), "vesicle[0].radius"));
+    CHECK_NOTHROW(refuse_errors(plan));
+}
+
+TEST_CASE("groups are those of their definitions")
+{
+    const Plan plan = make_plan(discocyte());
+    REQUIRE(plan.vesicles.size() == 1);
+    const VesiclePlan& vesicle = plan.vesicles.front();
+    const double nu = 0.1666667;
+    const double kappa = 0.25;
+    CHECK(vesicle.radius == Approx(15.0).epsilon(1e-6));
+    CHECK(*vesicle.bending_time == Approx(nu * 15.0 * 15.0 * 15.0 / kappa).epsilon(1e-6));
+    CHECK(*vesicle.reynolds == Approx(kappa / (nu * nu * 15.0)).epsilon(1e-6));
+    CHECK(*vesicle.bending_over_tension == Approx(kappa / (1e-5 * 15.0 * 15.0)).epsilon(1e-6));
+    CHECK(vesicle.confinement == Approx(30.0 / 64.0).epsilon(1e-6));
+    CHECK(vesicle.target_reduced_volume == Approx(0.66695).epsilon(1e-4));
+    CHECK(plan.relaxation_time == Approx(1.0).epsilon(1e-6));
+    CHECK(plan.interface_width == Approx(2.0 / 0.67));
+}
+
+TEST_CASE("a sphere to be deflated is judged by the rim of the discocyte, .375 R0")
+{
+    const Plan plan = make_plan(discocyte());
+    REQUIRE(plan.vesicles.front().target_smallest_radius);
+    CHECK(*plan.vesicles.front().target_smallest_radius == Approx(0.375 * 15.0).epsilon(0.02));
+    CHECK(plan.vesicles.front().resolution == Approx(0.67 * 0.375 * 15.0).epsilon(0.02));
+}
+
+TEST_CASE("the finer the lattice the milder the judgement: error, warning, note, nothing")
+{
+    const auto with_radius = [](const std::string& radius) {
+        return make_plan(discocyte({"vesicle[0].radius=" + radius, "lattice.size=[128,128,128]",
+                                    "vesicle[0].centre=[64,64,64]", "vesicle_type.rbc.area.ramp=40000",
+                                    "run.steps=200000"}));
+    };
+    const std::string key = "vesicle[0].radius";
+    CHECK(says(all(with_radius("7"), Severity::error), key));
+    CHECK(says(all(with_radius("13"), Severity::warning), key));
+    CHECK(says(all(with_radius("16"), Severity::note), key));
+    const Plan fine = make_plan(discocyte({"vesicle[0].radius=21", "lattice.size=[128,128,128]",
+                                           "vesicle[0].centre=[64,64,64]", "vesicle_type.rbc.area.ramp=40000",
+                                           "run.steps=200000"}));
+    CHECK_FALSE(says(all(fine, Severity::note), key));
+}
+
+TEST_CASE("a membrane as soft as the recolouring is refused unless its user knows")
+{
+    const Case soft = discocyte({"vesicle_type.rbc.bending.modulus=0.0025"});
+    const Plan refused = make_plan(soft);
+    CHECK(says(all(refused, Severity::error), "vesicle_type.rbc.bending.modulus is 0.0025"));
+    CHECK_THROWS_AS(refuse_errors(refused), InputError);
+    const Plan accepted = make_plan(soft, PlanOptions{true});
+    CHECK(all(accepted, Severity::error).empty());
+    CHECK(says(all(accepted, Severity::warning), "vesicle_type.rbc.bending.modulus is 0.0025"));
+}
+
+TEST_CASE("a remark begins with its place in the case file")
+{
+    const Plan plan = make_plan(discocyte({"vesicle_type.rbc.area.ramp=1000"}));
+    const std::string warnings = all(plan, Severity::warning);
+    CHECK(says(warnings, "vesicle_type.rbc.area.ramp is 1000"));
+    const Plan unperturbed = make_plan(discocyte({"run.steps=12000"}));
+    CHECK(says(all(unperturbed, Severity::warning), "run.steps is 12000"));
+}
+
+TEST_CASE("vesicles that overlap are refused, those whose interfaces do are warned of")
+{
+    const auto two = [](double distance) {
+        Case what = discocyte();
+        what.parameters.types[0].area.deflation.reset();
+        what.parameters.size = {128, 64, 64};
+        what.parameters.vesicles.push_back(what.parameters.vesicles[0]);
+        what.parameters.vesicles[1].centre.x += distance;
+        return make_plan(what);
+    };
+    CHECK(says(all(two(25.0), Severity::error), "vesicle[0] and vesicle[1] overlap"));
+    CHECK(says(all(two(33.0), Severity::warning), "vesicle[0] and vesicle[1] are"));
+    CHECK(all(two(40.0), Severity::warning).empty());
+    // 128 - 95 = 33: through the periodic boundary
+    CHECK(says(all(two(95.0), Severity::warning), "vesicle[0] and vesicle[1] are"));
+}
+
+TEST_CASE("a vesicle that meets its own image is refused")
+{
+    Case what = discocyte();
+    what.parameters.size = {64, 28, 64};
+    CHECK(says(all(make_plan(what), Severity::error), "vesicle[0] and its own periodic image overlap"));
+}
+
+TEST_CASE("a steady criterion needs metrics often enough")
+{
+    Case what = discocyte();
+    what.output.metrics_every = 0;
+    CHECK(says(all(make_plan(what), Severity::error), "output.metrics is missing"));
+    what.output.metrics_every = 5000;
+    CHECK(says(all(make_plan(what), Severity::error), "run.stop_when_steady.over is 2000"));
+}
+
+TEST_CASE("a case that needs more memory than there is is refused before it is built")
+{
+    Case what = discocyte();
+    what.parameters.size = {60000, 60000, 60000};
+    CHECK(says(all(make_plan(what), Severity::error), "lattice.size"));
+}
+
+TEST_CASE("the cost of a large case is extrapolated from small boxes")
+{
+    const auto factory = [](const Parameters& parameters, int) -> std::unique_ptr<Engine> {
+        return std::make_unique<test::FakeEngine>(parameters);
+    };
+    const Case what = discocyte();
+    CHECK(measure_cost(what.parameters, what.run, what.output, 1, factory).of_this_case);
+    Parameters large = what.parameters;
+    large.size = {512, 512, 512};
+    CHECK_FALSE(measure_cost(large, what.run, what.output, 1, factory).of_this_case);
+}
+
+TEST_CASE("the plan reads side by side in lattice and SI units when the case has units")
+{
+    Case what = discocyte();
+    what.scales = Scales{2e-7, 1e-8, 1000.0};
+    const std::string text = plan_text(what, make_plan(what), std::nullopt, 1);
+    CHECK(says(text, "0.2 um"));
+    CHECK(says(text, "3 um"));
+    CHECK(says(text, "accepted, no warnings"));
+    what.scales.reset();
+    CHECK_FALSE(says(plan_text(what, make_plan(what), std::nullopt, 1), " um"));
+}
+
+TEST_CASE("what is not in the model is said")
+{
+    for (const char* missing : {"thermal noise", "area-difference elasticity", "adhesion", "osmosis",
+                                "shear elasticity"})
+        CHECK(says(model_text(), missing));
+}
