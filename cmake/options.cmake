@@ -24,7 +24,7 @@ target_compile_options(vesica_build_flags INTERFACE
     -ffp-contract=off
     # Functions of the library call each other directly; interposing them is not supported.
     -fno-semantic-interposition
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wcast-align -Wcast-qual
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wcast-align -Wcast-qual
     -Wnon-virtual-dtor -Woverloaded-virtual -Wformat=2 -Wimplicit-fallthrough -Wundef
     $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wduplicated-branches -Wlogical-op>
     # GCC 12 warns about its own std::string operator+ (GCC bug 105651).
