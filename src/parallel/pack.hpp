@@ -2,6 +2,7 @@
 
 #include "core/real.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -10,6 +11,10 @@
 #endif
 
 #define VESICA_INLINE [[gnu::always_inline]] inline
+
+// The compilers' vector types are reinterpreted by C casts; no named cast means the same to both of them.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
 
 namespace vesica {
 
@@ -45,7 +50,7 @@ struct Pack {
 
     /// Which lanes something holds for: all bits of a lane or none.
     struct Mask {
-        Lanes m[registers];
+        Lanes m[static_cast<std::size_t>(registers)];
 
         VESICA_INLINE friend Mask operator&(Mask a, const Mask& b)
         {
@@ -65,7 +70,7 @@ struct Pack {
         VESICA_INLINE bool operator[](int lane) const { return m[lane / lanes][lane % lanes] != 0; }
     };
 
-    Native v[registers];
+    Native v[static_cast<std::size_t>(registers)];
 
     VESICA_INLINE Pack() : v{} {}
     template <class A>
@@ -285,3 +290,5 @@ VESICA_INLINE Pack<T> logarithm(const Pack<T>& x)
 }
 
 } // namespace vesica
+
+#pragma GCC diagnostic pop
