@@ -12,10 +12,6 @@
 
 #define VESICA_INLINE [[gnu::always_inline]] inline
 
-// The compilers' vector types are reinterpreted by C casts; no named cast means the same to both of them.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-
 namespace vesica {
 
 /// Cells per tile: the unit of work along x. Fixed, so that layouts and sums do not depend on the instruction set.
@@ -290,5 +286,3 @@ VESICA_INLINE Pack<T> logarithm(const Pack<T>& x)
 }
 
 } // namespace vesica
-
-#pragma GCC diagnostic pop
