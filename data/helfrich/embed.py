@@ -32,9 +32,10 @@ def entries(series, branch):
         yield reduced_volume, series[name]["L"], dense
 
 
-def rows(numbers, per_row=4):
+def rows(numbers, per_row=5):
+    """Thirteen digits: the library corrects the reduced volume anyway."""
     for start in range(0, len(numbers), per_row):
-        yield "    " + ", ".join(repr(number) for number in numbers[start : start + per_row]) + ","
+        yield "    " + ", ".join(f"{number:.13g}" for number in numbers[start : start + per_row]) + ","
 
 
 def main():

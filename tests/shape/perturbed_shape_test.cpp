@@ -30,7 +30,7 @@ TEST_CASE("A perturbed sphere's distance vanishes on R (1 + a Y), scaled to the 
     CHECK(shape.signed_distance({R * (1.0 - a / 2.0) - 0.4, 0.0, 0.0}) == Approx(-0.4).margin(1e-10));
 }
 
-TEST_CASE("An ellipsoid's closest distance to second order: the area of a slightly perturbed sphere") {
+TEST_CASE("A slightly perturbed sphere's area grows as second-order theory says") {
     // A = 4 pi R^2 (1 + (l - 1)(l + 2)/2 <Y^2>) at equal volume, to second order in the amplitude; <Y^2> =
     // a^2/(2l + 1).
     for (const int l : {2, 3, 5}) {
