@@ -36,7 +36,7 @@ inline constexpr int receiving = 6; ///< cells that colour may leak into within 
 struct LayerSums {
     double raw_area = 0.0;          ///< sum (beta/2)(1 - phi^2)
     double gaussian_curvature = 0.0; ///< int K dA
-    double square_mean_curvature = 0.0; ///< int H0^2 dA
+    double square_mean_curvature = 0.0; ///< int H^2 dA
 };
 
 /// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step is
@@ -116,7 +116,9 @@ public:
             const V density = V::load(fields_.density.data() + t.slot());
             V chi = V::load(fields_.chi.data() + t.slot());
             const auto holds_both = V::mask(t.bits[reach::colour]);
-            chi = select<Real>(holds_both, chi + correction * layer_density(chi) / density, chi);
+            // The side stays as it is: a pure red cell is -0, and -0 plus a zero share of the correction would be +0, blue.
+            const V corrected = with_sign_bit<Real>(sign_bit(chi), chi + correction * layer_density(chi) / density);
+            chi = select<Real>(holds_both, corrected, chi);
             chi.store(fields_.chi.data() + t.slot());
             signed_distance_of(chi, V(purest), settings_.beta).store(fields_.s.data() + t.slot());
             const V layer = layer_density(chi);
@@ -200,7 +202,7 @@ public:
             const V weight = V(0.5 * settings_.beta) * layer_density(V::load(fields_.chi.data() + t.slot()));
             const auto counted = V::mask(t.bits[reach::curvature]);
             gaussian[at(thread)].add(select<Real>(counted, weight * here.K, V(0)));
-            square[at(thread)].add(select<Real>(counted, weight * surface.H * surface.H, V(0)));
+            square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
         });
         sums_.gaussian_curvature = merged(gaussian);
         sums_.square_mean_curvature = merged(square);
