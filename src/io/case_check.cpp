@@ -252,7 +252,7 @@ private:
         const CaseValue* sibling = values_.find(path);
         std::string word;
         if (sibling && sibling->key->kind == KeyKind::degree) {
-            word = sibling->is_array ? "a range" : "a single degree";
+            word = sibling->is_array ? "[lowest, highest]" : "a whole number";
         } else if (sibling && !sibling->is_table) {
             word = std::get<std::string>(sibling->items.front().value);
         }

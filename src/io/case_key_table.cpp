@@ -283,7 +283,7 @@ std::vector<CaseKey> vesicle_keys() {
          .meaning = "order of the harmonic about the vesicle's axis, from -l to l; negative: sine",
          .default_value = "0",
          .range = {.low = -32.0, .high = 32.0},
-         .condition = {"l", {"a single degree"}}},
+         .condition = {"l", {"a whole number"}}},
         {.path = mode + "amplitude",
          .kind = KeyKind::number,
          .meaning = "relative to the radius; r.m.s. of all harmonics where they are random",
@@ -295,7 +295,7 @@ std::vector<CaseKey> vesicle_keys() {
          .meaning = "of the random harmonics",
          .default_value = "1",
          .range = {.low = 0.0},
-         .condition = {"l", {"a range"}}},
+         .condition = {"l", {"[lowest, highest]"}}},
     };
 }
 

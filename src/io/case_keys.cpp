@@ -140,6 +140,12 @@ std::string joined_choices(const std::vector<std::string>& words, std::string_vi
     return result;
 }
 
+std::string with_article(const std::string& noun) {
+    const bool vowel =
+        !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+    return (vowel ? "an " : "a ") + noun;
+}
+
 std::string range_text(const CaseKey& key) {
     const KeyRange& range = key.range;
     std::string result;
@@ -186,8 +192,8 @@ std::string expectation(const CaseKey& key) {
         text = words_with_range(key, "a whole number of steps, or a time,");
         break;
     case KeyKind::number:
-        text = words_with_range(key, key.dimension == dimension::none ? "a number"
-                                                                      : "a " + dimension_name(key.dimension));
+        text = words_with_range(
+            key, key.dimension == dimension::none ? "a number" : with_article(dimension_name(key.dimension)));
         if (key.si)
             text += " with its unit";
         break;

@@ -50,7 +50,7 @@ struct KeyRange {
 /// The key has a meaning only where its sibling has one of these values.
 struct KeyCondition {
     std::string sibling;             ///< leaf name in the same table; empty: always
-    std::vector<std::string> values; ///< of a degree: "a single degree", "a range"
+    std::vector<std::string> values; ///< of a degree: "a whole number", "[lowest, highest]"
     bool harmless = false;           ///< given without a meaning: a warning instead of an error
 };
 
@@ -101,6 +101,9 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 
 /// "a length above 0", "\"mrt\" or \"bgk\"": the words after `expected`.
 std::string expectation(const CaseKey& key);
+
+/// "a length", "an energy".
+std::string with_article(const std::string& noun);
 
 /// "above 0 and at most 1"; empty without limits.
 std::string range_text(const CaseKey& key);

@@ -86,8 +86,10 @@ private:
         CaseScalar result = text(node, path);
         const auto& word = std::get<std::string>(result.value);
         if (std::find(key_.choices.begin(), key_.choices.end(), word) == key_.choices.end()) {
-            throw InputError(node.place, fmt::format("{} is {}; expected {}; try \"{}\"", path, shown(node),
-                                                     expectation(key_), nearest_word(word, key_.choices)));
+            throw InputError(node.place, fmt::format("{} is {}; expected {}; try {}\"{}\"", path, shown(node),
+                                                     expectation(key_),
+                                                     key_.kind == KeyKind::names ? "" : key_.leaf() + " = ",
+                                                     nearest_word(word, key_.choices)));
         }
         return result;
     }
@@ -137,13 +139,19 @@ private:
         try {
             value = parse_quantity(std::get<std::string>(node.value));
         } catch (const QuantityError& error) {
-            throw InputError(node.place, fmt::format("{} is {}; {}", path, shown(node), error.advice()));
+            std::string advice = error.advice();
+            if (advice.starts_with("expected a number and its unit")) {
+                advice = fmt::format(
+                    "expected {}{} as text with a unit; try {}", with_article(dimension_name(key_.dimension)),
+                    key_.si ? "" : " as a number without quotes or", suggestion(key_, !key_.si && key_.kind != KeyKind::point));
+            }
+            throw InputError(node.place, fmt::format("{} is {}; {}", path, shown(node), advice));
         }
         if (value.dimension != key_.dimension) {
-            const std::string name = dimension_name(value.dimension);
-            throw InputError(node.place,
-                             fmt::format("{} is {}, a {}; expected a {}; try {}", path, shown(node), name,
-                                         dimension_name(key_.dimension), suggestion(key_, !key_.si)));
+            throw InputError(node.place, fmt::format("{} is {}, {}; expected {}; try {}", path, shown(node),
+                                                     with_article(dimension_name(value.dimension)),
+                                                     with_article(dimension_name(key_.dimension)),
+                                                     suggestion(key_, !key_.si && key_.kind != KeyKind::point)));
         }
         const CaseScalar result{value, node.place, shown(node)};
         if (key_.si)
