@@ -22,22 +22,9 @@ double raw_area(const VesicleSnapshot& vesicle) {
 double area(const VesicleSnapshot& vesicle) {
     const double sphere = 4.0 * std::numbers::pi;
     const double one_minus_genus = std::round(partial_gaussian_curvature(vesicle) / sphere);
-    const double square = geometry_sum(vesicle, [](const InterfaceCell& cell) { return cell.H0 * cell.H0; });
+    const double square = geometry_sum(vesicle, [](const InterfaceCell& cell) { return cell.H * cell.H; });
     const LayerMoments layer = layer_moments(vesicle);
     return raw_area(vesicle) - sphere * one_minus_genus * layer.area - layer.bending * square;
-}
-
-LayerMoments layer_moments(const VesicleSnapshot& vesicle) {
-    if (vesicle.layer.area > 0.0)
-        return vesicle.layer;
-    const double second = vesicle.layer_moment;
-    return {second, 0.0, second, 0.0,
-            4.2 * second * second}; // a tanh's fourth moment over its second's square
-}
-
-double geometry_coverage(const VesicleSnapshot& vesicle) {
-    const double covered = geometry_sum(vesicle, [](const InterfaceCell& cell) { return cell.J; });
-    return covered > 0.0 ? covered / area(vesicle) : std::numeric_limits<double>::quiet_NaN();
 }
 
 double gaussian_curvature_integral(const VesicleSnapshot& vesicle) {

@@ -15,13 +15,21 @@ double layer_sum(const VesicleSnapshot& vesicle, Quantity quantity) {
     return sum.value();
 }
 
-/// sum of weight * q over the cells whose geometry is known.
+/// How much a cell's geometry is trusted, 0 to 1: less and less below 1 - phi^2 = 2e-2, not at all below
+/// 5e-3, so that no cell enters a sum with a jump; and not at all where the map to phi = 0 has lost its
+/// meaning, at J < 0.1 or J > 10, beyond the surface's own centres of curvature or between the faces of a
+/// thin disc. 0 without geometry.
+double geometry_trust(const VesicleSnapshot& vesicle, const InterfaceCell& cell);
+
+/// sum of weight * q over the cells whose geometry is known, each as far as it is trusted.
 template <class Quantity>
 double geometry_sum(const VesicleSnapshot& vesicle, Quantity quantity) {
     ExactSum sum;
-    for (const InterfaceCell& cell : vesicle.cells)
-        if (cell.has_geometry)
-            sum.add(cell.weight * quantity(cell));
+    for (const InterfaceCell& cell : vesicle.cells) {
+        const double trust = geometry_trust(vesicle, cell);
+        if (trust > 0.0)
+            sum.add(trust * cell.weight * quantity(cell));
+    }
     return sum.value();
 }
 
@@ -29,8 +37,8 @@ double geometry_sum(const VesicleSnapshot& vesicle, Quantity quantity) {
 LayerMoments layer_moments(const VesicleSnapshot& vesicle);
 
 /// The share of the membrane's area that cells with geometry represent, sum(weight * J) / A: one but for the
-/// layer's tails, where the geometry is not computed. Curvature integrals are divided by it. NaN when no cell
-/// has geometry.
+/// layer's tails, where the geometry is not computed or not trusted. Curvature integrals are divided by it.
+/// NaN when no cell has geometry.
 double geometry_coverage(const VesicleSnapshot& vesicle);
 
 /// int q dA over phi = 0 of a quantity already mapped to it (H0, K0, foot_point, ...), cells^2 times q's

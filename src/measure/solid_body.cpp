@@ -55,9 +55,9 @@ Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin)
     if (std::isnan(coverage))
         return sums;
     for (const InterfaceCell& cell : vesicle.cells) {
-        if (!cell.has_geometry)
+        const double dA = geometry_trust(vesicle, cell) * cell.weight * cell.J / coverage;
+        if (dA == 0.0)
             continue;
-        const double dA = cell.weight * cell.J / coverage;
         const Vec3<double> r = foot_point(cell) - origin;
         const double displaced = layer.shift * cell.H0;
         sums.zeroth.add(dA * (m2 * cell.H0 + displaced));

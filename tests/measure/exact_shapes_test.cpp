@@ -137,11 +137,36 @@ TEST_CASE("tails without geometry are made up for", "[measure]") {
     const exact::Spheroid shape{{0.2, 0.3, 0.1}, 18.0, 13.0, skew};
     const auto whole = exact::snapshot_of(shape, {0, 0, 0}, 38, 0.67, 1e-8);
     const auto cut = exact::snapshot_of(shape, {0, 0, 0}, 38, 0.67, 3e-2);
-    CHECK(geometry_coverage(whole) == Approx(1.0).epsilon(1e-4));
-    CHECK(geometry_coverage(cut) < 0.99);
+    CHECK(geometry_coverage(whole) == Approx(1.0).epsilon(1e-2));
+    CHECK(geometry_coverage(cut) < geometry_coverage(whole) - 2e-3);
     CHECK(bending_energy(cut) == Approx(bending_energy(whole)).epsilon(2e-4));
     CHECK(gaussian_curvature_integral(cut) == Approx(4.0 * pi).epsilon(1e-3));
     CHECK(solid_body(cut).volume == Approx(solid_body(whole).volume).epsilon(1e-4));
+}
+
+TEST_CASE("cells where the map to the mid-surface is singular spoil nothing", "[measure]") {
+    const auto clean = exact::snapshot_of(exact::Sphere{{0.2, 0.3, 0.1}, 12.0}, {0, 0, 0}, 30);
+    auto spoilt = clean;
+    int hit = 0;
+    for (InterfaceCell& cell : spoilt.cells) {
+        const bool far = cell.weight < 0.5 * cell.phi * cell.phi * spoilt.beta * 4e-3;
+        const bool focal = cell.s < -2.0 && ++hit % 50 == 0; // as between the faces of a thin disc
+        if (!far && !focal)
+            continue;
+        cell.J = hit % 2 == 0 ? 1e-5 : -0.3;
+        cell.H0 = 1e4;
+        cell.K0 = -1e6;
+        if (far) {
+            cell.J = 1.0;
+            cell.H = -3.0;
+            cell.K = 5.0;
+        }
+    }
+    REQUIRE(hit > 1000);
+    CHECK(area(spoilt) == Approx(area(clean)).epsilon(1e-4));
+    CHECK(bending_energy(spoilt) == Approx(1.0).epsilon(1e-3));
+    CHECK(gaussian_curvature_integral(spoilt) == Approx(4.0 * pi).epsilon(1e-2));
+    CHECK(solid_body(spoilt).volume == Approx(solid_body(clean).volume).epsilon(1e-4));
 }
 
 TEST_CASE("without geometry area and volume are the raw sums and the rest is unknown", "[measure]") {
