@@ -1,0 +1,109 @@
+#include "geometry/stencil.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+using namespace vesica;
+
+namespace {
+
+/// A function of space seen from a point, at lattice spacing h: what a stencil asks for.
+template <class Function>
+struct Around {
+    Function function;
+    Vec3<double> centre;
+    double h;
+
+    template <int i>
+    double operator()(Direction<i>) const
+    {
+        return function(centre + h * Vec3<double>{double(velocity(i, 0)), double(velocity(i, 1)), double(velocity(i, 2))});
+    }
+};
+
+template <class Function>
+Around<Function> around(const Function& function, const Vec3<double>& centre, double h = 1.0)
+{
+    return {function, centre, h};
+}
+
+constexpr auto wave = [](const Vec3<double>& x) {
+    return std::sin(0.7 * x.x + 0.2) * std::cos(1.1 * x.y) * std::sin(0.9 * x.z - 0.5);
+};
+
+Vec3<double> wave_gradient(const Vec3<double>& x)
+{
+    const double a = 0.7 * x.x + 0.2;
+    const double b = 1.1 * x.y;
+    const double c = 0.9 * x.z - 0.5;
+    return {0.7 * std::cos(a) * std::cos(b) * std::sin(c), -1.1 * std::sin(a) * std::sin(b) * std::sin(c),
+            0.9 * std::sin(a) * std::cos(b) * std::cos(c)};
+}
+
+const Vec3<double> point{0.3, 0.8, -1.2};
+
+} // namespace
+
+TEST_CASE("the gradient of a quadratic function is exact", "[geometry]")
+{
+    const auto q = [](const Vec3<double>& x) {
+        return 3.0 - 2.0 * x.x + 0.5 * x.y + x.z + 0.7 * x.x * x.x - 0.3 * x.y * x.y + x.z * x.z + x.x * x.y -
+               2.0 * x.y * x.z + 0.4 * x.x * x.z;
+    };
+    const Vec3<double> expected{-2.0 + 1.4 * point.x + point.y + 0.4 * point.z,
+                                0.5 - 0.6 * point.y + point.x - 2.0 * point.z,
+                                1.0 + 2.0 * point.z - 2.0 * point.y + 0.4 * point.x};
+    CHECK(norm(gradient<double>(around(q, point)) - expected) < 1e-14);
+}
+
+TEST_CASE("the Laplacian of a cubic function is exact", "[geometry]")
+{
+    const auto q = [](const Vec3<double>& x) {
+        return 1.0 - x.x + 0.7 * x.x * x.x - 0.3 * x.y * x.y + x.z * x.z + x.x * x.y - 2.0 * x.y * x.z +
+               x.x * x.x * x.x - x.x * x.y * x.y + 3.0 * x.x * x.y * x.z;
+    };
+    CHECK(laplacian<double>(around(q, point)) == Approx(1.4 - 0.6 + 2.0 + 6.0 * point.x - 2.0 * point.x).epsilon(1e-13));
+}
+
+TEST_CASE("gradient and Laplacian are second order", "[geometry]")
+{
+    double gradient_error[3];
+    double laplacian_error[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double h = 0.2 / static_cast<double>(1 << k);
+        const Vec3<double> found = gradient<double>(around(wave, point, h));
+        gradient_error[k] = norm((1.0 / h) * found - wave_gradient(point));
+        const double exact = -(0.49 + 1.21 + 0.81) * wave(point);
+        laplacian_error[k] = std::abs(laplacian<double>(around(wave, point, h)) / (h * h) - exact);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        CHECK(std::log2(gradient_error[k] / gradient_error[k + 1]) == Approx(2.0).margin(0.05));
+        CHECK(std::log2(laplacian_error[k] / laplacian_error[k + 1]) == Approx(2.0).margin(0.05));
+    }
+    // The leading error of the gradient is (h^2/6) grad Lap q: that of a wave, along the gradient itself.
+    const double h = 0.05;
+    const Vec3<double> error = (1.0 / h) * gradient<double>(around(wave, point, h)) - wave_gradient(point);
+    const Vec3<double> leading = (-h * h / 6.0 * (0.49 + 1.21 + 0.81)) * wave_gradient(point);
+    CHECK(norm(error - leading) < 1e-3 * norm(leading));
+}
+
+TEST_CASE("the Jacobian's rows are the gradients of the components", "[geometry]")
+{
+    // q_i = A_ij x_j
+    const double A[3][3] = {{1, 2, 3}, {-4, 5, 6}, {7, -8, 9}};
+    const auto component = [&](int i) {
+        return [&A, i](const Vec3<double>& x) { return A[i][0] * x.x + A[i][1] * x.y + A[i][2] * x.z; };
+    };
+    const Jacobian<double> J{gradient<double>(around(component(0), point)), gradient<double>(around(component(1), point)),
+                             gradient<double>(around(component(2), point))};
+    for (int j = 0; j < 3; ++j) {
+        CHECK(J.x[j] == Approx(A[0][j]));
+        CHECK(J.y[j] == Approx(A[1][j]));
+        CHECK(J.z[j] == Approx(A[2][j]));
+    }
+    CHECK(J.divergence() == Approx(15.0));
+    const Vec3<double> n{0.6, 0.0, 0.8};
+    CHECK(J.normal_component(n) == Approx(0.36 * 1 + 0.48 * (3 + 7) + 0.64 * 9));
+}
