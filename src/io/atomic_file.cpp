@@ -45,6 +45,17 @@ void AtomicFile::write_at(std::uint64_t offset, std::string_view bytes) {
     }
 }
 
+void AtomicFile::try_space(std::uint64_t bytes) {
+    if (::fallocate(file_.number(), 0, 0, static_cast<off_t>(bytes)) != 0) {
+        // Other reasons mean that this file system cannot say; then the writing itself will tell.
+        if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG)
+            fail_with_errno(target_, "cannot write");
+        return;
+    }
+    if (::ftruncate(file_.number(), 0) != 0)
+        fail_with_errno(target_, "cannot write");
+}
+
 void AtomicFile::commit() {
     synchronise(file_, target_);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0)

@@ -23,6 +23,9 @@ public:
     void write(std::string_view bytes);
     /// Overwrites bytes that are there already.
     void write_at(std::uint64_t offset, std::string_view bytes);
+    /// Asks the file system for so many bytes and gives them back: quotas and full disks show now, in plain
+    /// words, instead of inside a library. Throws RunError. Call it before anything is written.
+    void try_space(std::uint64_t bytes);
     /// fsync, rename, fsync of the directory. The old file, if any, is replaced in one instant.
     void commit();
 

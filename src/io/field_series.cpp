@@ -18,14 +18,12 @@ std::string step_file(std::int64_t step) {
 /// Links instead of copies: the index stays small and is rewritten whole.
 void write_links(const Path& path, std::span<const FieldStep> steps) {
     const QuietHdf5 quiet;
-    AtomicFile target(path);
-    Hdf5File file = create_hdf5(target.temporary(), 0, path);
+    const Hdf5File file = create_hdf5_in_memory(path);
     for (const FieldStep& step : steps)
         hdf5_checked(H5Lcreate_external(step_file(step.step).c_str(), "/", file,
                                         step_name("step_", step.step, "").c_str(), H5P_DEFAULT, H5P_DEFAULT),
                      path, "cannot write");
-    close_hdf5(file, path);
-    target.commit();
+    write_atomically(path, hdf5_bytes(file, path));
 }
 
 } // namespace

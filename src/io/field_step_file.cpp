@@ -78,13 +78,12 @@ Vec3<double> FieldSampling::origin() const {
 FieldStep write_field_step(const Path& path, FieldStep geometry, const FieldSampling& sampling,
                            std::span<const NamedField> fields, int level) {
     const QuietHdf5 quiet;
-    // Compression may save most of it, or nothing.
+    // How much compression saves is not known before.
     if (level == 0)
         require_space(path.parent_path(), bytes_needed(sampling, fields));
     geometry.count = sampling.count();
     geometry.arrays.clear();
-    AtomicFile target(path);
-    Hdf5File file = create_hdf5(target.temporary(), 0, path);
+    const Hdf5File file = create_hdf5_in_memory(path);
     write_attribute(file, "step", geometry.step, path);
     write_attribute(file, "time", std::array{geometry.time}, path);
     write_attribute(file, "origin", std::array{geometry.origin.x, geometry.origin.y, geometry.origin.z},
@@ -98,8 +97,7 @@ FieldStep write_field_step(const Path& path, FieldStep geometry, const FieldSamp
         write_field(file, named, sampling, level, path);
         geometry.arrays.push_back({named.name, named.field->components});
     }
-    close_hdf5(file, path);
-    target.commit();
+    write_atomically(path, hdf5_bytes(file, path));
     return geometry;
 }
 

@@ -47,16 +47,52 @@ Hdf5Properties access_properties() {
     return access;
 }
 
+Hdf5Properties creation_properties(std::uint64_t user_block, const std::filesystem::path& path) {
+    Hdf5Properties creation(H5Pcreate(H5P_FILE_CREATE));
+    if (user_block > 0)
+        hdf5_checked(H5Pset_userblock(creation, user_block), path, cannot_write);
+    hdf5_checked(H5Pset_obj_track_times(creation, false), path, cannot_write);
+    return creation;
+}
+
+Hdf5Dataset create_dataset(hid_t parent, const std::string& name, hid_t type,
+                           const std::vector<hsize_t>& shape, hid_t creation,
+                           const std::filesystem::path& path) {
+    hdf5_checked(H5Pset_obj_track_times(creation, false), path, cannot_write);
+    const Hdf5Space space(hdf5_checked(
+        H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), path, cannot_write));
+    const hid_t id = H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    return Hdf5Dataset(hdf5_checked(id, path, cannot_write));
+}
+
+bool is_empty(const std::vector<hsize_t>& shape) {
+    return std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
+}
+
 } // namespace
 
 Hdf5File create_hdf5(const std::filesystem::path& location, std::uint64_t user_block,
                      const std::filesystem::path& path) {
-    const Hdf5Properties creation(H5Pcreate(H5P_FILE_CREATE));
-    if (user_block > 0)
-        hdf5_checked(H5Pset_userblock(creation, user_block), path, cannot_write);
-    hdf5_checked(H5Pset_obj_track_times(creation, false), path, cannot_write);
-    const hid_t id = H5Fcreate(location.c_str(), H5F_ACC_TRUNC, creation, access_properties());
+    const hid_t id = H5Fcreate(location.c_str(), H5F_ACC_TRUNC, creation_properties(user_block, path),
+                               access_properties());
     return Hdf5File(hdf5_checked(id, path, "cannot create"));
+}
+
+Hdf5File create_hdf5_in_memory(const std::filesystem::path& path) {
+    const Hdf5Properties access = access_properties();
+    constexpr std::size_t growth = std::size_t{8} << 20;
+    hdf5_checked(H5Pset_fapl_core(access, growth, false), path, cannot_write);
+    // The name is never opened, but HDF5 tells open files apart by it.
+    const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_properties(0, path), access);
+    return Hdf5File(hdf5_checked(id, path, "cannot create"));
+}
+
+std::string hdf5_bytes(const Hdf5File& file, const std::filesystem::path& path) {
+    hdf5_checked(H5Fflush(file, H5F_SCOPE_LOCAL), path, cannot_write);
+    const ssize_t size = hdf5_checked(H5Fget_file_image(file, nullptr, 0), path, cannot_write);
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    hdf5_checked(H5Fget_file_image(file, bytes.data(), bytes.size()), path, cannot_write);
+    return bytes;
 }
 
 Hdf5File open_hdf5(const std::filesystem::path& path) {
@@ -77,25 +113,34 @@ Hdf5Group create_group(hid_t parent, const std::string& name, const std::filesys
 
 Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type,
                          const std::vector<hsize_t>& shape, int level, const std::filesystem::path& path) {
-    const Hdf5Space space(hdf5_checked(
-        H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), path, cannot_write));
     const Hdf5Properties creation(H5Pcreate(H5P_DATASET_CREATE));
-    hdf5_checked(H5Pset_obj_track_times(creation, false), path, cannot_write);
-    const bool empty = std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
-    if (level > 0 && !empty) {
+    if (level > 0 && !is_empty(shape)) {
         std::vector<hsize_t> chunk = shape;
         hsize_t plane = H5Tget_size(stored_type);
         for (std::size_t i = 1; i < chunk.size(); ++i)
             plane *= chunk[i];
-        chunk.front() =
-            std::clamp<hsize_t>((hsize_t{1} << 20) / std::max<hsize_t>(plane, 1), 1, shape.front());
+        chunk.front() = std::clamp<hsize_t>((hsize_t{1} << 20) / plane, 1, shape.front());
         hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path,
                      cannot_write);
         hdf5_checked(H5Pset_shuffle(creation), path, cannot_write);
         hdf5_checked(H5Pset_deflate(creation, static_cast<unsigned>(level)), path, cannot_write);
     }
-    const hid_t id = H5Dcreate2(parent, name.c_str(), stored_type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
-    return Hdf5Dataset(hdf5_checked(id, path, cannot_write));
+    return create_dataset(parent, name, stored_type, shape, creation, path);
+}
+
+std::uint64_t place_array(hid_t parent, const std::string& name, hid_t stored_type,
+                          const std::vector<hsize_t>& shape, const std::filesystem::path& path) {
+    const Hdf5Properties creation(H5Pcreate(H5P_DATASET_CREATE));
+    hdf5_checked(H5Pset_layout(creation, H5D_CONTIGUOUS), path, cannot_write);
+    hdf5_checked(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), path, cannot_write);
+    hdf5_checked(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), path, cannot_write);
+    const Hdf5Dataset array = create_dataset(parent, name, stored_type, shape, creation, path);
+    const haddr_t offset = H5Dget_offset(array);
+    if (offset != HADDR_UNDEF)
+        return offset;
+    if (!is_empty(shape))
+        fail_hdf5(path, cannot_write);
+    return 0;
 }
 
 void write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* values,

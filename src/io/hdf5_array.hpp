@@ -18,6 +18,12 @@ namespace vesica {
 Hdf5File create_hdf5(const std::filesystem::path& location, std::uint64_t user_block,
                      const std::filesystem::path& path);
 
+/// The same in memory, for small files: HDF5 does not recover from a disk that fills up under it.
+Hdf5File create_hdf5_in_memory(const std::filesystem::path& path);
+
+/// The bytes of a file in memory, as they shall stand on the disk.
+std::string hdf5_bytes(const Hdf5File& file, const std::filesystem::path& path);
+
 Hdf5File open_hdf5(const std::filesystem::path& path);
 
 /// Closes and reports what could not be written.
@@ -28,6 +34,10 @@ Hdf5Group create_group(hid_t parent, const std::string& name, const std::filesys
 /// `level` 0: contiguous; 1..9: in chunks of whole x-y planes of about 1 MB, shuffled and deflated.
 Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type,
                          const std::vector<hsize_t>& shape, int level, const std::filesystem::path& path);
+
+/// Creates an array without values and returns where in the file they belong, in one piece, in C order.
+std::uint64_t place_array(hid_t parent, const std::string& name, hid_t stored_type,
+                          const std::vector<hsize_t>& shape, const std::filesystem::path& path);
 
 /// Fills rows [first, first + count) of the slowest index.
 void write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, const void* values,

@@ -1,58 +1,17 @@
-#include "io/checkpoint.hpp"
-
 #include "core/input_error.hpp"
-#include "io/atomic_file.hpp"
+#include "io/checkpoint.hpp"
 #include "io/checkpoint_seal.hpp"
 #include "io/hdf5_array.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cassert>
 #include <charconv>
 
 namespace vesica {
 namespace {
 
 using Path = std::filesystem::path;
-
-/// Whether storing as float loses nothing, signs of zeros and bits of NaNs included.
-bool all_floats(std::span<const double> values) {
-    return std::all_of(values.begin(), values.end(), [](double value) {
-        return std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(value))) ==
-               std::bit_cast<std::uint64_t>(value);
-    });
-}
-
-void write_reals(hid_t parent, const std::string& name, std::span<const double> values, bool try_float,
-                 const Path& path) {
-    const hid_t type = try_float && all_floats(values) ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
-    const Hdf5Dataset array = create_array(parent, name, type, {values.size()}, 0, path);
-    write_rows(array, H5T_NATIVE_DOUBLE, 0, values.size(), values.data(), path);
-}
-
-/// Rows of equal length make one array of two indices; nothing else is needed of a state.
-void write_populations(hid_t parent, const EngineState& state, const Path& path) {
-    const auto& rows = state.populations;
-    const std::size_t length = rows.empty() ? 0 : rows.front().size();
-    const bool floats =
-        state.precision == Precision::single_precision &&
-        std::all_of(rows.begin(), rows.end(), [](const auto& row) { return all_floats(row); });
-    const Hdf5Dataset array = create_array(parent, "populations", floats ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
-                                           {rows.size(), length}, 0, path);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        assert(rows[i].size() == length);
-        write_rows(array, H5T_NATIVE_DOUBLE, i, length == 0 ? 0 : 1, rows[i].data(), path);
-    }
-}
-
-void write_text(hid_t parent, const std::string& name, std::string_view text, const Path& path) {
-    const Hdf5Dataset array = create_array(parent, name, H5T_STD_U8LE, {text.size()}, 0, path);
-    write_rows(array, H5T_NATIVE_UINT8, 0, text.size(), text.data(), path);
-}
 
 std::size_t length_of_vector(hid_t array, const char* name, const Path& path) {
     const auto shape = shape_of(array, path);
@@ -69,14 +28,7 @@ std::vector<Value> read_vector(hid_t parent, const std::string& name, hid_t type
     return values;
 }
 
-/// Each text behind its length, so that it may hold anything.
-std::string pack_texts(const std::vector<std::string>& texts) {
-    std::string packed;
-    for (const auto& text : texts)
-        packed += fmt::format("{}:{}", text.size(), text);
-    return packed;
-}
-
+/// Undoes what write_checkpoint does to keep texts that may hold anything: each stands behind its length.
 std::vector<std::string> unpack_texts(std::string_view packed, const Path& path) {
     std::vector<std::string> texts;
     while (!packed.empty()) {
@@ -107,17 +59,6 @@ std::vector<std::vector<double>> read_populations(hid_t parent, const Path& path
     return rows;
 }
 
-std::uint64_t bytes_needed(const Checkpoint& checkpoint) {
-    const auto& state = checkpoint.engine;
-    std::uint64_t reals = state.minority.size() + state.controllers.size();
-    for (const auto& row : state.populations)
-        reals += row.size();
-    for (const auto& [name, values] : checkpoint.notes)
-        reals += values.size();
-    const std::uint64_t width = state.precision == Precision::single_precision ? 4 : 8;
-    return reals * width + state.band.size() + checkpoint.case_text.size() + (std::uint64_t{1} << 20);
-}
-
 void read_header(hid_t file, EngineState& state, const Path& path) {
     state.step = read_integer_attribute(file, "step", path);
     const std::int64_t bits = read_integer_attribute(file, "precision_bits", path);
@@ -130,38 +71,6 @@ void read_header(hid_t file, EngineState& state, const Path& path) {
 }
 
 } // namespace
-
-void write_checkpoint(const Path& path, const Checkpoint& checkpoint) {
-    const QuietHdf5 quiet;
-    const EngineState& state = checkpoint.engine;
-    const bool single = state.precision == Precision::single_precision;
-    require_space(path.parent_path(), bytes_needed(checkpoint));
-
-    AtomicFile target(path);
-    Hdf5File file = create_hdf5(target.temporary(), seal_bytes, path);
-    write_attribute(file, "step", state.step, path);
-    write_attribute(file, "precision_bits", std::int64_t{single ? 32 : 64}, path);
-    write_attribute(file, "size_x", std::int64_t{state.size.x}, path);
-    write_attribute(file, "size_y", std::int64_t{state.size.y}, path);
-    write_attribute(file, "size_z", std::int64_t{state.size.z}, path);
-    write_attribute(file, "program_version", checkpoint.program_version, path);
-    write_text(file, "case", checkpoint.case_text, path);
-    write_text(file, "overrides", pack_texts(checkpoint.overrides), path);
-    write_populations(file, state, path);
-    write_reals(file, "minority", state.minority, single, path);
-    write_reals(file, "controllers", state.controllers, false, path);
-    {
-        const Hdf5Dataset band = create_array(file, "band", H5T_STD_U8LE, {state.band.size()}, 0, path);
-        write_rows(band, H5T_NATIVE_UINT8, 0, state.band.size(), state.band.data(), path);
-        const Hdf5Group notes = create_group(file, "notes", path);
-        for (const auto& [name, values] : checkpoint.notes)
-            write_reals(notes, name, values, false, path);
-    }
-    close_hdf5(file, path);
-    seal(target, fmt::format("Vesica {} checkpoint of step {}, HDF5 after {} bytes\n",
-                             checkpoint.program_version, state.step, seal_bytes));
-    target.commit();
-}
 
 Checkpoint read_checkpoint(const Path& path) {
     verify_seal(path);
