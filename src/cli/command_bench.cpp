@@ -2,13 +2,13 @@
 #include "simulation/bench.hpp"
 
 #include <CLI/CLI.hpp>
+
 #include <iostream>
 #include <memory>
 
 namespace vesica {
 
-void declare_bench(CLI::App& app, Action& action)
-{
+void declare_bench(CLI::App& app, Action& action) {
     struct Arguments {
         bool json = false;
         BenchOptions options;

@@ -6,6 +6,7 @@
 #include "simulation/plan_text.hpp"
 
 #include <CLI/CLI.hpp>
+
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -22,14 +23,17 @@ struct CheckArguments {
     bool accept_soft_membranes = false;
 };
 
-int check(const CheckArguments& arguments)
-{
-    if (arguments.model) std::cout << model_text();
+int check(const CheckArguments& arguments) {
+    if (arguments.model)
+        std::cout << model_text();
     if (arguments.case_file.empty()) {
-        if (arguments.model) return 0;
-        throw InputError("the case file is missing; expected `vesica check CASE.toml`; try `vesica new` for a first one");
+        if (arguments.model)
+            return 0;
+        throw InputError(
+            "the case file is missing; expected `vesica check CASE.toml`; try `vesica new` for a first one");
     }
-    if (arguments.model) std::cout << '\n';
+    if (arguments.model)
+        std::cout << '\n';
     const Case what = read_case(arguments.case_file, arguments.overrides);
     const Plan plan = make_plan(what, PlanOptions{arguments.accept_soft_membranes});
     const int threads = arguments.threads > 0 ? arguments.threads : default_threads();
@@ -44,16 +48,20 @@ int check(const CheckArguments& arguments)
 
 } // namespace
 
-void declare_check(CLI::App& app, Action& action)
-{
-    CLI::App* const command = app.add_subcommand("check", "Say what a case means, costs and risks, without running it");
+void declare_check(CLI::App& app, Action& action) {
+    CLI::App* const command =
+        app.add_subcommand("check", "Say what a case means, costs and risks, without running it");
     const auto arguments = std::make_shared<CheckArguments>();
     command->add_option("case", arguments->case_file, "The case file")->type_name("CASE.toml");
     declare_overrides(*command, arguments->overrides);
     declare_threads(*command, arguments->threads);
     command->add_flag("--model", arguments->model, "Say what is in the model and what is not");
     declare_soft_membranes(*command, arguments->accept_soft_membranes);
-    command->callback([&action, arguments] { action = [arguments] { return check(*arguments); }; });
+    command->callback([&action, arguments] {
+        action = [arguments] {
+            return check(*arguments);
+        };
+    });
 }
 
 } // namespace vesica

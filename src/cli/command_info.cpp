@@ -2,21 +2,22 @@
 #include "io/describe_file.hpp"
 
 #include <CLI/CLI.hpp>
+
 #include <iostream>
 #include <memory>
 #include <string>
 
 namespace vesica {
 
-void declare_info(CLI::App& app, Action& action)
-{
+void declare_info(CLI::App& app, Action& action) {
     CLI::App* const command = app.add_subcommand("info", "Say what a checkpoint or output file holds");
     const auto file = std::make_shared<std::string>();
     command->add_option("file", *file, "The file")->type_name("FILE")->required();
     command->callback([&action, file] {
         action = [file] {
             std::string text = describe_file(*file);
-            if (!text.ends_with('\n')) text += '\n';
+            if (!text.ends_with('\n'))
+                text += '\n';
             std::cout << text << std::flush;
             return 0;
         };

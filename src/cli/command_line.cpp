@@ -6,9 +6,10 @@
 #include "io/case_keys.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
-#include <fmt/format.h>
 #include <iostream>
 #include <new>
 
@@ -19,26 +20,26 @@ namespace {
 constexpr int run_failed = 1;
 constexpr int input_wrong = 2;
 
-std::vector<std::string> command_names(const CLI::App& app)
-{
+std::vector<std::string> command_names(const CLI::App& app) {
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    for (const CLI::App* command : app.get_subcommands({}))
+        names.push_back(command->get_name());
     return names;
 }
 
 /// A word in the place of a command that is none deserves a better answer than "unexpected argument".
-void refuse_unknown_command(const CLI::App& app, int argument_count, const char* const* arguments)
-{
-    if (argument_count < 2 || arguments[1][0] == '-') return;
+void refuse_unknown_command(const CLI::App& app, int argument_count, const char* const* arguments) {
+    if (argument_count < 2 || arguments[1][0] == '-')
+        return;
     const std::string word = arguments[1];
     const std::vector<std::string> names = command_names(app);
-    if (std::find(names.begin(), names.end(), word) != names.end()) return;
+    if (std::find(names.begin(), names.end(), word) != names.end())
+        return;
     throw InputError(fmt::format("{} is not a command; expected one of {}; try `vesica {}`", word,
                                  fmt::join(names, ", "), nearest_word(word, names)));
 }
 
-int parse_and_act(CLI::App& app, Action& action, int argument_count, const char* const* arguments)
-{
+int parse_and_act(CLI::App& app, Action& action, int argument_count, const char* const* arguments) {
     refuse_unknown_command(app, argument_count, arguments);
     try {
         app.parse(argument_count, arguments);
@@ -58,14 +59,16 @@ int parse_and_act(CLI::App& app, Action& action, int argument_count, const char*
 
 } // namespace
 
-int command_line(int argument_count, const char* const* arguments)
-{
-    CLI::App app{"Deformable vesicles in viscous flow, with one lattice Boltzmann framework and no surface mesh",
-                 "vesica"};
-    app.set_version_flag("--version", fmt::format("vesica {} ({}, {}, {})", version, commit, compiler, build_type));
+int command_line(int argument_count, const char* const* arguments) {
+    CLI::App app{
+        "Deformable vesicles in viscous flow, with one lattice Boltzmann framework and no surface mesh",
+        "vesica"};
+    app.set_version_flag("--version",
+                         fmt::format("vesica {} ({}, {}, {})", version, commit, compiler, build_type));
     app.set_help_flag("-h,--help", "Print this and exit");
     app.require_subcommand(0, 1);
-    app.footer("Exit status: 0 done; 1 the run failed; 2 the input is wrong; 3 stopped on request, with a checkpoint\n"
+    app.footer("Exit status: 0 done; 1 the run failed; 2 the input is wrong; 3 stopped on request, with a "
+               "checkpoint\n"
                "written. `vesica COMMAND --help` tells more of a command.");
     Action action;
     declare_run(app, action);

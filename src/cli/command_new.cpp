@@ -5,9 +5,10 @@
 #include "io/case_templates.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <fmt/format.h>
 #include <iostream>
 #include <memory>
 
@@ -21,30 +22,31 @@ struct NewArguments {
     bool list = false;
 };
 
-const CaseTemplate& template_named(const std::string& name)
-{
+const CaseTemplate& template_named(const std::string& name) {
     const auto templates = case_templates();
-    if (name.empty()) return templates.front();
+    if (name.empty())
+        return templates.front();
     std::vector<std::string> names;
     for (const CaseTemplate& one : templates) {
-        if (one.name == name) return one;
+        if (one.name == name)
+            return one;
         names.emplace_back(one.name);
     }
     throw InputError(fmt::format("{} is not a template; expected one of {}; try `vesica new {}`", name,
                                  fmt::join(names, ", "), nearest_word(name, names)));
 }
 
-void list_templates()
-{
+void list_templates() {
     std::size_t width = 0;
-    for (const CaseTemplate& one : case_templates()) width = std::max(width, one.name.size());
-    for (const CaseTemplate& one : case_templates()) std::cout << fmt::format("{:<{}}  {}\n", one.name, width, one.description);
+    for (const CaseTemplate& one : case_templates())
+        width = std::max(width, one.name.size());
+    for (const CaseTemplate& one : case_templates())
+        std::cout << fmt::format("{:<{}}  {}\n", one.name, width, one.description);
     std::cout << std::flush;
 }
 
 /// A case somebody has worked on is not replaced.
-int write_template(const NewArguments& arguments)
-{
+int write_template(const NewArguments& arguments) {
     if (arguments.list) {
         list_templates();
         return 0;
@@ -69,15 +71,20 @@ int write_template(const NewArguments& arguments)
 
 } // namespace
 
-void declare_new(CLI::App& app, Action& action)
-{
+void declare_new(CLI::App& app, Action& action) {
     CLI::App* const command = app.add_subcommand("new", "Write a commented starter case");
     const auto arguments = std::make_shared<NewArguments>();
     command->add_option("template", arguments->name, "Which one; see --list")->type_name("TEMPLATE");
-    command->add_option("-o,--output", arguments->file, "Where to write, - for the terminal; by default TEMPLATE.toml")
+    command
+        ->add_option("-o,--output", arguments->file,
+                     "Where to write, - for the terminal; by default TEMPLATE.toml")
         ->type_name("FILE");
     command->add_flag("--list", arguments->list, "List the templates");
-    command->callback([&action, arguments] { action = [arguments] { return write_template(*arguments); }; });
+    command->callback([&action, arguments] {
+        action = [arguments] {
+            return write_template(*arguments);
+        };
+    });
 }
 
 } // namespace vesica

@@ -2,6 +2,7 @@
 #include "core/input_error.hpp"
 
 #include <CLI/CLI.hpp>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,24 +12,23 @@ namespace vesica {
 namespace {
 
 /// A command that the interface promises and this version does not have.
-void declare_planned(CLI::App& app, Action& action, const std::string& name, const std::string& summary)
-{
+void declare_planned(CLI::App& app, Action& action, const std::string& name, const std::string& summary) {
     CLI::App* const command = app.add_subcommand(name, summary + " (not available yet)");
     command->allow_extras();
     command->callback([&action, name] {
-        action = [name]() -> int { throw InputError("`vesica " + name + "` is not available yet"); };
+        action = [name]() -> int {
+            throw InputError("`vesica " + name + "` is not available yet");
+        };
     });
 }
 
 } // namespace
 
-void declare_reproduce(CLI::App& app, Action& action)
-{
+void declare_reproduce(CLI::App& app, Action& action) {
     declare_planned(app, action, "reproduce", "Reproduce figures and tables of the reference paper");
 }
 
-void declare_report(CLI::App& app, Action& action)
-{
+void declare_report(CLI::App& app, Action& action) {
     declare_planned(app, action, "report", "Make one self-contained HTML file of a run");
 }
 

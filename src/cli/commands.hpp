@@ -28,7 +28,8 @@ void declare_overrides(CLI::App& command, std::vector<std::string>& overrides);
 void declare_threads(CLI::App& command, int& threads);
 void declare_soft_membranes(CLI::App& command, bool& accepted);
 
-/// Throws InputError if this process is one of several that mpirun has started: each would run the whole case.
+/// Throws InputError if this process is one of several that mpirun has started: each would run the whole
+/// case.
 void refuse_ranks();
 
 } // namespace vesica

@@ -3,12 +3,13 @@
 #include "core/input_error.hpp"
 #include "simulation/bench_kernels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <memory>
 #include <new>
 
@@ -18,15 +19,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin)
-{
+double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 /// Seconds of the fastest of many calls: what the machine can do, not what else it was doing.
 template <class Work>
-double fastest(double budget, const Work& work)
-{
+double fastest(double budget, const Work& work) {
     work(); // first touch
     double best = HUGE_VAL;
     const auto begin = Clock::now();
@@ -43,8 +42,8 @@ struct Freed {
 };
 
 template <class Real>
-BenchLimit measure_limit(int edge, Precision precision, int threads, double budget, std::string& instruction_set)
-{
+BenchLimit measure_limit(int edge, Precision precision, int threads, double budget,
+                         std::string& instruction_set) {
     const BenchBox box(edge);
     const BenchKernels<Real> kernels = bench_kernels<Real>();
     instruction_set = kernels.instruction_set;
@@ -52,14 +51,16 @@ BenchLimit measure_limit(int edge, Precision precision, int threads, double budg
     const std::size_t bytes = (box.numbers() * sizeof(Real) + page - 1) / page * page;
     // Pages are not touched here but by the threads that work on them.
     const std::unique_ptr<Real, Freed> f(static_cast<Real*>(std::aligned_alloc(page, bytes)));
-    if (f == nullptr) throw std::bad_alloc();
+    if (f == nullptr)
+        throw std::bad_alloc();
     kernels.fill(box, f.get(), threads);
 
     BenchLimit limit;
     limit.edge = edge;
     limit.precision = precision;
     const double pass = fastest(0.5 * budget, [&] { kernels.read_modify_write(box, f.get(), threads); });
-    const double numbers = static_cast<double>(bench_directions * box.layer_stride * (box.cells_per_edge + 2));
+    const double numbers =
+        static_cast<double>(bench_directions * box.layer_stride * (box.cells_per_edge + 2));
     limit.bandwidth = 2.0 * numbers * sizeof(Real) / pass;
     limit.bandwidth_mlups = 1e-6 * limit.bandwidth / (bench_numbers_per_cell * sizeof(Real));
     const double both = fastest(0.5 * budget, [&] {
@@ -70,16 +71,14 @@ BenchLimit measure_limit(int edge, Precision precision, int threads, double budg
     return limit;
 }
 
-Parameters fluid(int edge, Precision precision)
-{
+Parameters fluid(int edge, Precision precision) {
     Parameters parameters;
     parameters.size = {edge, edge, edge};
     parameters.numerics.precision = precision;
     return parameters;
 }
 
-Parameters discocyte(int edge, Precision precision)
-{
+Parameters discocyte(int edge, Precision precision) {
     Parameters parameters = fluid(edge, precision);
     VesicleType type;
     type.name = "rbc";
@@ -93,9 +92,10 @@ Parameters discocyte(int edge, Precision precision)
     return parameters;
 }
 
-BenchCase measure_case(const std::string& name, const Parameters& parameters, int threads, const BenchOptions& options)
-{
-    const auto engine = options.factory ? options.factory(parameters, threads) : make_engine(parameters, threads);
+BenchCase measure_case(const std::string& name, const Parameters& parameters, int threads,
+                       const BenchOptions& options) {
+    const auto engine =
+        options.factory ? options.factory(parameters, threads) : make_engine(parameters, threads);
     BenchCase measured;
     measured.name = name;
     measured.edge = parameters.size.x;
@@ -113,8 +113,7 @@ BenchCase measure_case(const std::string& name, const Parameters& parameters, in
 
 } // namespace
 
-const BenchLimit& BenchReport::limit_of(const BenchCase& measured) const
-{
+const BenchLimit& BenchReport::limit_of(const BenchCase& measured) const {
     const auto found = std::find_if(limits.begin(), limits.end(), [&](const BenchLimit& limit) {
         return limit.edge == measured.edge && limit.precision == measured.precision;
     });
@@ -122,31 +121,34 @@ const BenchLimit& BenchReport::limit_of(const BenchCase& measured) const
     return *found;
 }
 
-BenchReport run_bench(const BenchOptions& options)
-{
+BenchReport run_bench(const BenchOptions& options) {
     BenchReport report;
     report.threads = options.threads > 0 ? options.threads : default_threads();
     const std::vector<int> edges = options.edges.empty() ? std::vector<int>{128} : options.edges;
     const auto say = [&](const std::string& what, int edge) {
-        if (options.progress != nullptr) *options.progress << fmt::format("measuring {}, {}^3\n", what, edge) << std::flush;
+        if (options.progress != nullptr)
+            *options.progress << fmt::format("measuring {}, {}^3\n", what, edge) << std::flush;
     };
     for (const int edge : edges) {
         if (edge < 32)
-            throw InputError(fmt::format("--size is {}; expected at least 32 cells, below which nothing but caches is "
-                                         "measured; try 128",
-                                         edge));
+            throw InputError(
+                fmt::format("--size is {}; expected at least 32 cells, below which nothing but caches is "
+                            "measured; try 128",
+                            edge));
         for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
             const bool in_double = precision == Precision::double_precision;
             const std::string suffix = in_double ? ", double" : ", single";
             say("the machine's limits" + suffix, edge);
-            report.limits.push_back(in_double ? measure_limit<double>(edge, precision, report.threads, options.seconds,
-                                                                      report.instruction_set)
-                                              : measure_limit<float>(edge, precision, report.threads, options.seconds,
-                                                                     report.instruction_set));
+            report.limits.push_back(in_double
+                                        ? measure_limit<double>(edge, precision, report.threads,
+                                                                options.seconds, report.instruction_set)
+                                        : measure_limit<float>(edge, precision, report.threads,
+                                                               options.seconds, report.instruction_set));
             say("a fluid at rest" + suffix, edge);
             report.cases.push_back(measure_case("fluid", fluid(edge, precision), report.threads, options));
             say("a discocyte" + suffix, edge);
-            report.cases.push_back(measure_case("discocyte", discocyte(edge, precision), report.threads, options));
+            report.cases.push_back(
+                measure_case("discocyte", discocyte(edge, precision), report.threads, options));
         }
     }
     return report;

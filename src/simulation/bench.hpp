@@ -9,10 +9,10 @@
 namespace vesica {
 
 struct BenchOptions {
-    int threads = 0;               ///< 0: as many as default_threads()
-    std::vector<int> edges;        ///< of the cubes; empty: 128
-    double seconds = 2.0;          ///< to spend on each number
-    EngineFactory factory;         ///< empty: make_engine
+    int threads = 0;        ///< 0: as many as default_threads()
+    std::vector<int> edges; ///< of the cubes; empty: 128
+    double seconds = 2.0;   ///< to spend on each number
+    EngineFactory factory;  ///< empty: make_engine
     std::ostream* progress = nullptr;
 };
 
@@ -20,9 +20,9 @@ struct BenchOptions {
 struct BenchLimit {
     int edge = 0;
     Precision precision = Precision::double_precision;
-    double bandwidth = 0.0;        ///< bytes per second, read-modify-write of one large array
-    double bandwidth_mlups = 0.0;  ///< the same in cells of 38 numbers, 19 read and 19 written
-    double streaming_mlups = 0.0;  ///< D3Q19 streaming in place without collision
+    double bandwidth = 0.0;       ///< bytes per second, read-modify-write of one large array
+    double bandwidth_mlups = 0.0; ///< the same in cells of 38 numbers, 19 read and 19 written
+    double streaming_mlups = 0.0; ///< D3Q19 streaming in place without collision
 };
 
 struct BenchCase {
@@ -36,7 +36,7 @@ struct BenchCase {
 
 struct BenchReport {
     int threads = 1;
-    std::string instruction_set;   ///< of the limits' kernels
+    std::string instruction_set; ///< of the limits' kernels
     std::vector<BenchLimit> limits;
     std::vector<BenchCase> cases;
 
@@ -44,8 +44,8 @@ struct BenchReport {
     const BenchLimit& limit_of(const BenchCase& measured) const;
 };
 
-/// Measures the standard cases - a fluid at rest, a discocyte of R0 = 20 per 128 cells, in double and in single
-/// precision - and the limits beside them.
+/// Measures the standard cases - a fluid at rest, a discocyte of R0 = 20 per 128 cells, in double and in
+/// single precision - and the limits beside them.
 BenchReport run_bench(const BenchOptions& options);
 
 std::string bench_text(const BenchReport& report);

@@ -1,6 +1,5 @@
-#include "simulation/bench.hpp"
-
 #include "core/version.hpp"
+#include "simulation/bench.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,38 +8,37 @@ namespace vesica {
 
 namespace {
 
-const char* name_of(Precision precision)
-{
+const char* name_of(Precision precision) {
     return precision == Precision::double_precision ? "double" : "single";
 }
 
 } // namespace
 
-std::string bench_text(const BenchReport& report)
-{
+std::string bench_text(const BenchReport& report) {
     std::string text = fmt::format("vesica {}, {} thread{}, {}\n\n", version, report.threads,
                                    report.threads == 1 ? "" : "s", report.instruction_set);
     text += "The machine's limits: one pass over 19 populations per cell, read and written in place\n";
-    text += fmt::format("  {:>5}  {:<9}  {:>10}  {:>18}  {:>18}\n", "box", "precision", "GB/s", "bandwidth, MLUPS",
-                        "streaming, MLUPS");
+    text += fmt::format("  {:>5}  {:<9}  {:>10}  {:>18}  {:>18}\n", "box", "precision", "GB/s",
+                        "bandwidth, MLUPS", "streaming, MLUPS");
     for (const BenchLimit& limit : report.limits)
-        text += fmt::format("  {:>3}^3  {:<9}  {:>10.1f}  {:>18.1f}  {:>18.1f}\n", limit.edge, name_of(limit.precision),
-                            1e-9 * limit.bandwidth, limit.bandwidth_mlups, limit.streaming_mlups);
+        text += fmt::format("  {:>3}^3  {:<9}  {:>10.1f}  {:>18.1f}  {:>18.1f}\n", limit.edge,
+                            name_of(limit.precision), 1e-9 * limit.bandwidth, limit.bandwidth_mlups,
+                            limit.streaming_mlups);
     text += "\nThe standard cases\n";
-    text += fmt::format("  {:<10}  {:>5}  {:<9}  {:>8}  {:>12}  {:>12}  {:>11}\n", "case", "box", "precision", "MLUPS",
-                        "of bandwidth", "of streaming", "interface");
+    text += fmt::format("  {:<10}  {:>5}  {:<9}  {:>8}  {:>12}  {:>12}  {:>11}\n", "case", "box", "precision",
+                        "MLUPS", "of bandwidth", "of streaming", "interface");
     for (const BenchCase& measured : report.cases) {
         const BenchLimit& limit = report.limit_of(measured);
-        text += fmt::format("  {:<10}  {:>3}^3  {:<9}  {:>8.2f}  {:>10.1f} %  {:>10.1f} %  {:>9.1f} %\n", measured.name,
-                            measured.edge, name_of(measured.precision), measured.mlups,
-                            100.0 * measured.mlups / limit.bandwidth_mlups,
-                            100.0 * measured.mlups / limit.streaming_mlups, 100.0 * measured.interface_fraction);
+        text +=
+            fmt::format("  {:<10}  {:>3}^3  {:<9}  {:>8.2f}  {:>10.1f} %  {:>10.1f} %  {:>9.1f} %\n",
+                        measured.name, measured.edge, name_of(measured.precision), measured.mlups,
+                        100.0 * measured.mlups / limit.bandwidth_mlups,
+                        100.0 * measured.mlups / limit.streaming_mlups, 100.0 * measured.interface_fraction);
     }
     return text;
 }
 
-std::string bench_json(const BenchReport& report)
-{
+std::string bench_json(const BenchReport& report) {
     nlohmann::ordered_json json;
     json["version"] = version;
     json["threads"] = report.threads;

@@ -4,32 +4,33 @@
 #include "simulation/plan_cost.hpp"
 #include "simulation/plan_judgement.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vesica {
 
 namespace {
 
-/// The least that a case can take: nineteen populations and a colour per cell. An operating system that promises more
-/// memory than it has would end the run later, without a word.
-void judge_memory(const Parameters& parameters, double cells, Remarks& remarks)
-{
+/// The least that a case can take: nineteen populations and a colour per cell. An operating system that
+/// promises more memory than it has would end the run later, without a word.
+void judge_memory(const Parameters& parameters, double cells, Remarks& remarks) {
     const double number = parameters.numerics.precision == Precision::double_precision ? 8.0 : 4.0;
     const double least = 20.0 * number * cells;
     const double available = available_memory();
-    if (available <= 0.0 || least <= available) return;
+    if (available <= 0.0 || least <= available)
+        return;
     const Vec3<int>& size = parameters.size;
-    remarks.push_back({Remark::Severity::error, "lattice.size",
-                       fmt::format("lattice.size is [{}, {}, {}], which takes at least {:.1f} GB of memory; expected at "
-                                   "most the {:.1f} GB at hand; try a smaller box, or precision = \"single\"",
-                                   size.x, size.y, size.z, 1e-9 * least, 1e-9 * available)});
+    remarks.push_back(
+        {Remark::Severity::error, "lattice.size",
+         fmt::format("lattice.size is [{}, {}, {}], which takes at least {:.1f} GB of memory; expected at "
+                     "most the {:.1f} GB at hand; try a smaller box, or precision = \"single\"",
+                     size.x, size.y, size.z, 1e-9 * least, 1e-9 * available)});
 }
 
 } // namespace
 
-Plan make_plan(const Case& what, const PlanOptions& options)
-{
+Plan make_plan(const Case& what, const PlanOptions& options) {
     const Parameters& parameters = what.parameters;
     Plan plan;
     const Vec3<int>& size = parameters.size;
@@ -53,20 +54,22 @@ Plan make_plan(const Case& what, const PlanOptions& options)
     judge_places(parameters, shapes, plan, plan.remarks);
     judge_schedule(parameters, what.run, what.output, plan.remarks);
 
-    for (Remark& remark : plan.remarks) remark.text = InputError(what.place(remark.key), remark.text).what();
+    for (Remark& remark : plan.remarks)
+        remark.text = InputError(what.place(remark.key), remark.text).what();
     for (const std::string& warning : what.warnings)
         plan.remarks.push_back({Remark::Severity::warning, {}, warning});
     return plan;
 }
 
-void refuse_errors(const Plan& plan)
-{
+void refuse_errors(const Plan& plan) {
     std::string message;
     for (const std::string& text : texts_of(plan.remarks, Remark::Severity::error)) {
-        if (!message.empty()) message += '\n';
+        if (!message.empty())
+            message += '\n';
         message += text;
     }
-    if (!message.empty()) throw InputError(message);
+    if (!message.empty())
+        throw InputError(message);
 }
 
 } // namespace vesica

@@ -1,11 +1,12 @@
 #include "simulation/plan_cost.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <numbers>
-#include <omp.h>
 #include <string>
 
 namespace vesica {
@@ -15,13 +16,11 @@ namespace {
 /// Above this a case takes more than a second or two to build, and more memory than a plan should.
 constexpr double quick_cells = 1.2e6;
 
-double cells_of(const Vec3<int>& size)
-{
+double cells_of(const Vec3<int>& size) {
     return 1.0 * size.x * size.y * size.z;
 }
 
-double seconds_per_step(Engine& engine)
-{
+double seconds_per_step(Engine& engine) {
     using Clock = std::chrono::steady_clock;
     const auto seconds_since = [](Clock::time_point begin) {
         return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -39,8 +38,7 @@ double seconds_per_step(Engine& engine)
 }
 
 /// Cells in the layers of membranes of this total area; half of the band's width on either side.
-double total_area(const Parameters& parameters)
-{
+double total_area(const Parameters& parameters) {
     double area = 0.0;
     for (const VesicleParameters& vesicle : parameters.vesicles) {
         const double growth = parameters.types[vesicle.type].area.deflation.value_or(1.0);
@@ -58,8 +56,7 @@ struct SmallBox {
 
 constexpr double small_radius = 10.0;
 
-SmallBox measure_small(Parameters parameters, int edge, int threads, const EngineFactory& factory)
-{
+SmallBox measure_small(Parameters parameters, int edge, int threads, const EngineFactory& factory) {
     parameters.size = {edge, edge, edge};
     VesicleParameters sphere = parameters.vesicles.front();
     sphere.shape = SphereShape{};
@@ -76,8 +73,7 @@ SmallBox measure_small(Parameters parameters, int edge, int threads, const Engin
     return box;
 }
 
-RunCost cost_from_small_boxes(const Parameters& parameters, int threads, const EngineFactory& factory)
-{
+RunCost cost_from_small_boxes(const Parameters& parameters, int threads, const EngineFactory& factory) {
     const SmallBox small = measure_small(parameters, 36, threads, factory);
     const SmallBox large = measure_small(parameters, 72, threads, factory);
     const double cells = cells_of(parameters.size);
@@ -96,18 +92,17 @@ RunCost cost_from_small_boxes(const Parameters& parameters, int threads, const E
 }
 
 /// The number that follows a word in a file of the kernel's; 0 if there is none.
-double number_after(const char* path, const std::string& name)
-{
+double number_after(const char* path, const std::string& name) {
     std::ifstream file(path);
     double value = 0.0;
     for (std::string word; file >> word;)
-        if (word == name && file >> value) return value;
+        if (word == name && file >> value)
+            return value;
     return 0.0;
 }
 
 /// The number a file of the kernel's consists of; 0 if it says "max" or is not there.
-double number_in(const char* path)
-{
+double number_in(const char* path) {
     std::ifstream file(path);
     double value = 0.0;
     return file >> value ? value : 0.0;
@@ -116,8 +111,7 @@ double number_in(const char* path)
 } // namespace
 
 RunCost measure_cost(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
-                     int threads, const EngineFactory& factory)
-{
+                     int threads, const EngineFactory& factory) {
     RunCost cost;
     if (cells_of(parameters.size) <= quick_cells || parameters.vesicles.empty()) {
         const auto engine = factory(parameters, threads);
@@ -131,38 +125,38 @@ RunCost measure_cost(const Parameters& parameters, const RunParameters& run, con
     return cost;
 }
 
-double output_bytes(const Parameters& parameters, const RunParameters& run, const OutputParameters& output)
-{
+double output_bytes(const Parameters& parameters, const RunParameters& run, const OutputParameters& output) {
     const double number = parameters.numerics.precision == Precision::double_precision ? 8.0 : 4.0;
     double bytes = 0.0;
     if (output.fields && output.fields->every > 0) {
         const FieldOutput& fields = *output.fields;
         const Vec3<int> region = fields.region_end - fields.region_begin;
         double components = 0.0;
-        for (const std::string& name : fields.names) components += name == "velocity" || name == "force" ? 3.0 : 1.0;
+        for (const std::string& name : fields.names)
+            components += name == "velocity" || name == "force" ? 3.0 : 1.0;
         const double outputs = std::floor(static_cast<double>(run.steps / fields.every)) + 1.0;
         bytes += outputs * components * number * cells_of(region) / std::pow(fields.stride, 3);
     }
     // Populations and colour in the run's precision, and the band.
     const double checkpoint = cells_of(parameters.size) * (20.0 * number + 1.0);
     if (output.checkpoint_every > 0) {
-        const double written = std::ceil(static_cast<double>(run.steps) / static_cast<double>(output.checkpoint_every));
+        const double written =
+            std::ceil(static_cast<double>(run.steps) / static_cast<double>(output.checkpoint_every));
         bytes += checkpoint * std::min(written, 1.0 + output.checkpoint_keep);
     }
     return bytes;
 }
 
-double available_memory()
-{
+double available_memory() {
     const double machine = 1024.0 * number_after("/proc/meminfo", "MemAvailable:");
     const double limit = number_in("/sys/fs/cgroup/memory.max");
     const double used = number_in("/sys/fs/cgroup/memory.current");
-    if (limit > 0.0 && limit > used) return machine > 0.0 ? std::min(machine, limit - used) : limit - used;
+    if (limit > 0.0 && limit > used)
+        return machine > 0.0 ? std::min(machine, limit - used) : limit - used;
     return machine;
 }
 
-int default_threads()
-{
+int default_threads() {
     return std::max(1, omp_get_max_threads());
 }
 

@@ -15,13 +15,13 @@ using EngineFactory = std::function<std::unique_ptr<Engine>(const Parameters& pa
 /// What a run will cost on this machine.
 struct RunCost {
     double seconds_per_step = 0.0;
-    double bytes = 0.0;            ///< of memory
-    double output_bytes = 0.0;     ///< of fields and checkpoints, as far as they can be foretold
-    bool of_this_case = false;     ///< measured on the case itself, not on a small box and scaled
+    double bytes = 0.0;        ///< of memory
+    double output_bytes = 0.0; ///< of fields and checkpoints, as far as they can be foretold
+    bool of_this_case = false; ///< measured on the case itself, not on a small box and scaled
 };
 
-/// Takes a few steps: of the case itself if that is quick, otherwise of one sphere in two small boxes, from which the
-/// cost of a cell and of a cell in a membrane's layer follow.
+/// Takes a few steps: of the case itself if that is quick, otherwise of one sphere in two small boxes, from
+/// which the cost of a cell and of a cell in a membrane's layer follow.
 RunCost measure_cost(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
                      int threads, const EngineFactory& factory);
 

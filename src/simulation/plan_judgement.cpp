@@ -2,9 +2,10 @@
 
 #include "case/resolution.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 namespace vesica {
@@ -18,13 +19,11 @@ constexpr double recolouring_modulus = 0.0024;
 
 template <class... Arguments>
 void add(Remarks& remarks, Severity severity, const std::string& key, fmt::format_string<Arguments...> text,
-         Arguments&&... arguments)
-{
+         Arguments&&... arguments) {
     remarks.push_back({severity, key, key + fmt::format(text, std::forward<Arguments>(arguments)...)});
 }
 
-void judge_bends(double segregation, const std::string& name, const VesiclePlan& plan, Remarks& remarks)
-{
+void judge_bends(double segregation, const std::string& name, const VesiclePlan& plan, Remarks& remarks) {
     const bool target_decides =
         plan.target_smallest_radius && *plan.target_smallest_radius < plan.smallest_radius;
     const double smallest = target_decides ? *plan.target_smallest_radius : plan.smallest_radius;
@@ -35,81 +34,97 @@ void judge_bends(double segregation, const std::string& name, const VesiclePlan&
     const double better = std::ceil(plan.radius * resolution_note / plan.resolution);
     const auto say = [&](Severity severity, double bound) {
         add(remarks, severity, name + ".radius",
-            " is {:g}: {} has a radius of curvature of {:.2f} cells, and beta times it is {:.2f}; expected at least "
+            " is {:g}: {} has a radius of curvature of {:.2f} cells, and beta times it is {:.2f}; expected "
+            "at least "
             "{:g}; try a radius of {:.0f} or more",
             plan.radius, where, smallest, plan.resolution, bound, better);
     };
     switch (judge_resolution(segregation, smallest)) {
-    case Resolution::fine: break;
-    case Resolution::note: say(Severity::note, resolution_note); break;
-    case Resolution::warning: say(Severity::warning, resolution_warning); break;
-    case Resolution::error: say(Severity::error, resolution_error); break;
+    case Resolution::fine:
+        break;
+    case Resolution::note:
+        say(Severity::note, resolution_note);
+        break;
+    case Resolution::warning:
+        say(Severity::warning, resolution_warning);
+        break;
+    case Resolution::error:
+        say(Severity::error, resolution_error);
+        break;
     }
 }
 
-void judge_stiffness(const VesicleType& type, const PlanOptions& options, Remarks& remarks)
-{
+void judge_stiffness(const VesicleType& type, const PlanOptions& options, Remarks& remarks) {
     const double kappa = type.bending.modulus;
-    if (kappa <= 0.0) return;
+    if (kappa <= 0.0)
+        return;
     const double share = recolouring_modulus / kappa;
     const std::string key = "vesicle_type." + type.name + ".bending.modulus";
     const bool soft = share > 0.1;
     if (soft)
         add(remarks, options.accept_soft_membranes ? Severity::warning : Severity::error, key,
-            " is {:g}: the recolouring resists bending by itself like a modulus of about {:g}, {:.0f} % of this one; "
+            " is {:g}: the recolouring resists bending by itself like a modulus of about {:g}, {:.0f} % of "
+            "this one; "
             "expected at least {:g}; try a larger modulus{}",
             kappa, recolouring_modulus, 100.0 * share, 10.0 * recolouring_modulus,
             options.accept_soft_membranes ? "" : ", or --accept-soft-membranes");
     else if (share > 0.05)
-        add(remarks, Severity::note, key, " is {:g}: the recolouring adds about {:.0f} % to it by itself", kappa,
-            100.0 * share);
+        add(remarks, Severity::note, key, " is {:g}: the recolouring adds about {:.0f} % to it by itself",
+            kappa, 100.0 * share);
 }
 
 void judge_constraint(const VesicleType& type, const std::string& name, double eta, const VesiclePlan& plan,
-                      Remarks& remarks)
-{
+                      Remarks& remarks) {
     const AreaParameters& area = type.area;
     const std::string key = "vesicle_type." + type.name;
     const double kappa = type.bending.modulus;
     const bool deflated = plan.target_area > 1.001 * plan.area;
     if (std::holds_alternative<MultiplierConstraint>(area.constraint) && type.sigma != 0.0)
         add(remarks, Severity::note, key + ".tension.sigma",
-            " is {:g}: with the area held by a multiplier it decides nothing, the multiplier takes it up", type.sigma);
+            " is {:g}: with the area held by a multiplier it decides nothing, the multiplier takes it up",
+            type.sigma);
     if (area.deflation && std::holds_alternative<NoConstraint>(area.constraint))
         add(remarks, Severity::warning, key + ".area.deflation",
-            " is {:g}, but the area's constraint is none: nothing holds that area; try constraint = \"multiplier\"",
+            " is {:g}, but the area's constraint is none: nothing holds that area; try constraint = "
+            "\"multiplier\"",
             *area.deflation);
     if (plan.target_reduced_volume > 1.0 + 1e-9)
         add(remarks, Severity::error, key + ".area",
-            " aims at a reduced volume of {:.4f}; expected at most 1, for no surface encloses more than a sphere; try "
+            " aims at a reduced volume of {:.4f}; expected at most 1, for no surface encloses more than a "
+            "sphere; try "
             "a deflation of 1 or more",
             plan.target_reduced_volume);
     const double K = plan.penalty_modulus;
-    if (K <= 0.0) return;
+    if (K <= 0.0)
+        return;
     const double fastest = eta * plan.radius;
     if (K > fastest)
         add(remarks, Severity::warning, key + ".area",
-            " has a penalty modulus K_A of {:.3g} for {}; expected below eta R0 = {:.3g}, above which the tension "
+            " has a penalty modulus K_A of {:.3g} for {}; expected below eta R0 = {:.3g}, above which the "
+            "tension "
             "overshoots from step to step; try a smaller one, or constraint = \"multiplier\"",
             K, name, fastest);
     if (deflated && kappa > 0.0 && K > 50.0 * kappa / (plan.radius * plan.radius) && area.ramp == 0)
         add(remarks, Severity::warning, key + ".area",
-            " jumps to its target under K_A = {:.3g}, which buckles high modes (starfish, holes); expected below "
+            " jumps to its target under K_A = {:.3g}, which buckles high modes (starfish, holes); expected "
+            "below "
             "50 kappa/R0^2 = {:.3g}; try a ramp of {:.0f} steps",
             K, 50.0 * kappa / (plan.radius * plan.radius), std::ceil(5.0 * *plan.bending_time));
 }
 
 void judge_path(const VesicleType& type, const VesicleParameters& vesicle, const std::string& name,
-                const VesiclePlan& plan, const RunParameters& run, Remarks& remarks)
-{
-    if (!plan.bending_time) return;
+                const VesiclePlan& plan, const RunParameters& run, Remarks& remarks) {
+    if (!plan.bending_time)
+        return;
     const double tau = *plan.bending_time;
     const double change = plan.target_area / plan.area - 1.0;
-    if (std::abs(change) < 1e-3) return;
+    if (std::abs(change) < 1e-3)
+        return;
     const auto ramp = static_cast<double>(type.area.ramp);
     if (ramp < 5.0 * tau)
         add(remarks, Severity::warning, "vesicle_type." + type.name + ".area.ramp",
-            " is {}: {} goes to its area in {:.1f} bending times (eta R0^3/kappa = {:.0f} steps); expected at least 5 "
+            " is {}: {} goes to its area in {:.1f} bending times (eta R0^3/kappa = {:.0f} steps); expected "
+            "at least 5 "
             "for a smooth shape; try ramp = {:.0f}",
             type.area.ramp, name, ramp / tau, tau, std::ceil(5.0 * tau / 100.0) * 100.0);
     if (run.steps > 0 && type.area.ramp >= run.steps)
@@ -117,22 +132,23 @@ void judge_path(const VesicleType& type, const VesicleParameters& vesicle, const
             " is {}: the run ends before the ramp of {} is over; expected more than {}; try run.steps = {}",
             run.steps, name, type.area.ramp, 3 * type.area.ramp);
     else if (run.steps > 0 && static_cast<double>(run.steps) - ramp < 5.0 * tau)
-        add(remarks, Severity::note, name, " has {:.1f} bending times to relax in after its ramp", (static_cast<double>(run.steps) - ramp) / tau);
+        add(remarks, Severity::note, name, " has {:.1f} bending times to relax in after its ramp",
+            (static_cast<double>(run.steps) - ramp) / tau);
     if (std::holds_alternative<SphereShape>(vesicle.shape) && vesicle.perturbations.empty() && change > 0.0)
         add(remarks, Severity::warning, name + ".perturbation",
             " is missing: a perfect sphere has nothing that could grow when its area does; try "
             "[[vesicle.perturbation]] with l = 2, m = 0, amplitude = -0.01");
     if (plan.target_reduced_volume > 0.75 && plan.target_reduced_volume < 0.99)
         add(remarks, Severity::note, name,
-            " is deflated to a reduced volume of {:.3f}: above .750 oblate shapes are unstable, it will become a "
+            " is deflated to a reduced volume of {:.3f}: above .750 oblate shapes are unstable, it will "
+            "become a "
             "prolate unless a symmetry of the lattice holds it",
             plan.target_reduced_volume);
 }
 
 } // namespace
 
-void judge_fluid(const Parameters& parameters, const Plan& plan, Remarks& remarks)
-{
+void judge_fluid(const Parameters& parameters, const Plan& plan, Remarks& remarks) {
     const double beta = parameters.fluid.segregation;
     if (beta > 1.0 / std::numbers::sqrt2)
         add(remarks, Severity::error, "fluid.segregation",
@@ -151,24 +167,28 @@ void judge_fluid(const Parameters& parameters, const Plan& plan, Remarks& remark
             parameters.fluid.kinematic_viscosity, plan.relaxation_time);
     if (plan.mach > 0.1)
         add(remarks, Severity::warning, "fluid",
-            ": the fastest vesicle moves its membrane at about Mach {:.2f}; expected at most 0.1; try a smaller bending.modulus or a larger kinematic_viscosity",
+            ": the fastest vesicle moves its membrane at about Mach {:.2f}; expected at most 0.1; try a "
+            "smaller bending.modulus or a larger kinematic_viscosity",
             plan.mach);
 }
 
 void judge_vesicle(const Parameters& parameters, std::size_t vesicle, const VesiclePlan& plan,
-                   const RunParameters& run, const PlanOptions& options, Remarks& remarks)
-{
+                   const RunParameters& run, const PlanOptions& options, Remarks& remarks) {
     const VesicleParameters& what = parameters.vesicles[vesicle];
     const VesicleType& type = parameters.types[what.type];
     const std::string name = fmt::format("vesicle[{}]", vesicle);
     const double eta = parameters.fluid.density * parameters.fluid.kinematic_viscosity;
     judge_bends(parameters.fluid.segregation, name, plan, remarks);
-    const auto same_type = [&](const VesicleParameters& other) { return other.type == what.type; };
+    const auto same_type = [&](const VesicleParameters& other) {
+        return other.type == what.type;
+    };
     const auto first = std::find_if(parameters.vesicles.begin(), parameters.vesicles.end(), same_type);
-    if (&*first == &what) judge_stiffness(type, options, remarks);
+    if (&*first == &what)
+        judge_stiffness(type, options, remarks);
     if (plan.reynolds && *plan.reynolds > 1.0)
         add(remarks, Severity::warning, name,
-            ": the Reynolds number of its own motion, kappa/(rho nu^2 R0), is {:.2g}; expected at most 1; try a "
+            ": the Reynolds number of its own motion, kappa/(rho nu^2 R0), is {:.2g}; expected at most 1; "
+            "try a "
             "smaller bending.modulus or a larger kinematic_viscosity",
             *plan.reynolds);
     if (plan.inner_relaxation_time > 3.5 || plan.inner_relaxation_time < 0.52)

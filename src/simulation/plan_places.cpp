@@ -1,8 +1,9 @@
 #include "simulation/plan_judgement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace vesica {
 
@@ -13,49 +14,55 @@ using Severity = Remark::Severity;
 /// What to say of two interfaces this far apart. They are one below zero, overlap below 2/beta and feel each
 /// other's stencils below 2/beta + 2.
 void judge_gap(const std::string& key, const std::string& who, const char* remedy, double gap, double width,
-               Remarks& remarks)
-{
-    if (gap > width + 2.0) return;
+               Remarks& remarks) {
+    if (gap > width + 2.0)
+        return;
     if (gap < 0.0)
-        remarks.push_back({Severity::error, key,
-                           fmt::format("{} overlap; expected a gap of at least 2/beta + 2 = {:.1f} cells; try {}", who,
-                                       width + 2.0, remedy)});
+        remarks.push_back(
+            {Severity::error, key,
+             fmt::format("{} overlap; expected a gap of at least 2/beta + 2 = {:.1f} cells; try {}", who,
+                         width + 2.0, remedy)});
     else
-        remarks.push_back({Severity::warning, key,
-                           fmt::format("{} are {:.1f} cells apart, so that their interfaces overlap; expected at least "
-                                       "2/beta + 2 = {:.1f}; try {}",
-                                       who, gap, width + 2.0, remedy)});
+        remarks.push_back(
+            {Severity::warning, key,
+             fmt::format("{} are {:.1f} cells apart, so that their interfaces overlap; expected at least "
+                         "2/beta + 2 = {:.1f}; try {}",
+                         who, gap, width + 2.0, remedy)});
 }
 
 } // namespace
 
 void judge_places(const Parameters& parameters, const std::vector<std::unique_ptr<const Shape>>& shapes,
-                  const Plan& plan, Remarks& remarks)
-{
+                  const Plan& plan, Remarks& remarks) {
     const double width = plan.interface_width;
     const double reach = width + 3.0;
     const auto& vesicles = parameters.vesicles;
     const auto gap = [&](std::size_t a, std::size_t b, const Vec3<double>& shift) {
         return gap_between(*shapes[a], vesicles[a].centre, *shapes[b], vesicles[b].centre, shift, reach);
     };
-    // A box is the whole of space modulo its edges: every pair meets through 27 images, each vesicle its own too.
+    // A box is the whole of space modulo its edges: every pair meets through 27 images, each vesicle its own
+    // too.
     for (std::size_t a = 0; a < shapes.size(); ++a) {
         for (std::size_t b = a; b < shapes.size(); ++b) {
             double smallest = reach;
             for (int k = -1; k <= 1; ++k)
                 for (int j = -1; j <= 1; ++j)
                     for (int i = -1; i <= 1; ++i) {
-                        if (a == b && i == 0 && j == 0 && k == 0) continue;
+                        if (a == b && i == 0 && j == 0 && k == 0)
+                            continue;
                         const Vec3<double> shift{1.0 * i * parameters.size.x, 1.0 * j * parameters.size.y,
                                                  1.0 * k * parameters.size.z};
                         smallest = std::min(smallest, gap(a, b, shift));
                     }
-            if (smallest >= reach) continue;
+            if (smallest >= reach)
+                continue;
             if (a == b)
-                judge_gap("lattice.size", fmt::format("vesicle[{}] and its own periodic image", a), "a larger lattice.size",
-                          smallest, width, remarks);
+                judge_gap("lattice.size", fmt::format("vesicle[{}] and its own periodic image", a),
+                          "a larger lattice.size", smallest, width, remarks);
             else
-                judge_gap(fmt::format("vesicle[{}].centre", b), fmt::format("vesicle[{}] and vesicle[{}]", a, b), "other centres", smallest, width, remarks);
+                judge_gap(fmt::format("vesicle[{}].centre", b),
+                          fmt::format("vesicle[{}] and vesicle[{}]", a, b), "other centres", smallest, width,
+                          remarks);
         }
     }
     for (std::size_t a = 0; a < shapes.size(); ++a) {
@@ -66,41 +73,47 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
             widest + width + 2.0 > edge)
             remarks.push_back(
                 {Severity::warning, "lattice.size",
-                 fmt::format("lattice.size: the discocyte that vesicle[{}] may become is {:.0f} cells wide and would "
-                             "meet its own image; expected a box of at least {:.0f}; try that",
-                             a, widest, std::ceil(widest + width + 2.0))});
+                 fmt::format(
+                     "lattice.size: the discocyte that vesicle[{}] may become is {:.0f} cells wide and would "
+                     "meet its own image; expected a box of at least {:.0f}; try that",
+                     a, widest, std::ceil(widest + width + 2.0))});
     }
 }
 
 void judge_schedule(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
-                    Remarks& remarks)
-{
+                    Remarks& remarks) {
     if (run.stop_when_steady) {
         const SteadyCriterion& steady = *run.stop_when_steady;
         if (output.metrics_every == 0)
-            remarks.push_back({Severity::error, "run.stop_when_steady", "run.stop_when_steady is judged from the metrics, and "
-                                                "output.metrics is missing; try output.metrics = { every = 200 }"});
+            remarks.push_back({Severity::error, "run.stop_when_steady",
+                               "run.stop_when_steady is judged from the metrics, and "
+                               "output.metrics is missing; try output.metrics = { every = 200 }"});
         else if (steady.over < output.metrics_every)
             remarks.push_back(
                 {Severity::error, "run.stop_when_steady.over",
-                 fmt::format("run.stop_when_steady.over is {}; expected at least output.metrics.every, which is {}; "
-                             "try over = {}",
-                             steady.over, output.metrics_every, 10 * output.metrics_every)});
+                 fmt::format(
+                     "run.stop_when_steady.over is {}; expected at least output.metrics.every, which is {}; "
+                     "try over = {}",
+                     steady.over, output.metrics_every, 10 * output.metrics_every)});
         bool bends = false;
-        for (const VesicleType& type : parameters.types) bends = bends || type.bending.modulus > 0.0;
+        for (const VesicleType& type : parameters.types)
+            bends = bends || type.bending.modulus > 0.0;
         if (steady.quantity == "bending_energy" && !bends)
-            remarks.push_back({Severity::error, "run.stop_when_steady.quantity", "run.stop_when_steady.quantity is bending_energy, and no vesicle "
-                                                "bends; try \"area\""});
+            remarks.push_back({Severity::error, "run.stop_when_steady.quantity",
+                               "run.stop_when_steady.quantity is bending_energy, and no vesicle "
+                               "bends; try \"area\""});
     }
     if (run.wall_time && output.checkpoint_every == 0)
-        remarks.push_back({Severity::note, "run.wall_time", "run.wall_time: the checkpoint written when it is used up is the only one; "
-                                           "output.checkpoint would add others"});
+        remarks.push_back({Severity::note, "run.wall_time",
+                           "run.wall_time: the checkpoint written when it is used up is the only one; "
+                           "output.checkpoint would add others"});
     if (output.fields && output.fields->average && output.checkpoint_every > 0 &&
         output.checkpoint_every % output.fields->every != 0)
         remarks.push_back(
-            {Severity::note, "output.fields.average", "output.fields.average: after a resume from a checkpoint between two outputs, the first "
-                             "average begins at the checkpoint; make output.checkpoint.every a multiple of "
-                             "output.fields.every to avoid it"});
+            {Severity::note, "output.fields.average",
+             "output.fields.average: after a resume from a checkpoint between two outputs, the first "
+             "average begins at the checkpoint; make output.checkpoint.every a multiple of "
+             "output.fields.every to avoid it"});
 }
 
 } // namespace vesica

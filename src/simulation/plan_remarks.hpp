@@ -5,8 +5,8 @@
 
 namespace vesica {
 
-/// Something worth saying about a case. A note needs no action; a warning says what to change; an error is a case
-/// that `run` refuses.
+/// Something worth saying about a case. A note needs no action; a warning says what to change; an error is a
+/// case that `run` refuses.
 struct Remark {
     enum class Severity { note, warning, error };
     Severity severity = Severity::note;

@@ -2,9 +2,10 @@
 
 #include "simulation/progress.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <vector>
 
 namespace vesica {
@@ -17,31 +18,29 @@ public:
     explicit SideBySide(const std::optional<Scales>& scales) : scales_(scales) {}
 
     void heading(const std::string& text) { rows_.push_back({text, {}, {}, true}); }
-    void text(const std::string& name, const std::string& value, const std::string& si = {})
-    {
+    void text(const std::string& name, const std::string& value, const std::string& si = {}) {
         rows_.push_back({name, value, si, false});
     }
-    void value(const std::string& name, double lattice, const Dimension& dimension)
-    {
+    void value(const std::string& name, double lattice, const Dimension& dimension) {
         std::string si;
-        if (scales_ && !(dimension == dimension::none)) si = to_text(scales_->to_si(lattice, dimension));
+        if (scales_ && !(dimension == dimension::none))
+            si = to_text(scales_->to_si(lattice, dimension));
         text(name, fmt::format("{:.6g}", lattice), si);
     }
     void value(const std::string& name, const std::optional<double>& lattice, const Dimension& dimension,
-               const char* without)
-    {
+               const char* without) {
         if (lattice)
             value(name, *lattice, dimension);
         else
             text(name, fmt::format("n/a ({})", without));
     }
 
-    std::string str() const
-    {
+    std::string str() const {
         std::size_t names = 0;
         std::size_t values = 0;
         for (const Row& row : rows_) {
-            if (row.heading) continue;
+            if (row.heading)
+                continue;
             names = std::max(names, row.name.size());
             values = std::max(values, row.value.size());
         }
@@ -68,21 +67,17 @@ private:
     std::vector<Row> rows_;
 };
 
-std::string name_of(const GhostRates& ghosts)
-{
+std::string name_of(const GhostRates& ghosts) {
     struct Name {
         std::string operator()(const RegularisedGhosts&) const { return "mrt, symmetric basis, regularised"; }
-        std::string operator()(const TrtGhosts& g) const
-        {
+        std::string operator()(const TrtGhosts& g) const {
             return fmt::format("mrt, symmetric basis, two rates with magic {:g}", g.magic);
         }
-        std::string operator()(const SymmetricGhosts& g) const
-        {
-            return fmt::format("mrt, symmetric basis, even {:g} {:g}, odd {:g} {:g}", g.even_scalar, g.even_tensor,
-                               g.odd_vector, g.odd_twist);
+        std::string operator()(const SymmetricGhosts& g) const {
+            return fmt::format("mrt, symmetric basis, even {:g} {:g}, odd {:g} {:g}", g.even_scalar,
+                               g.even_tensor, g.odd_vector, g.odd_twist);
         }
-        std::string operator()(const PaperGhosts& g) const
-        {
+        std::string operator()(const PaperGhosts& g) const {
             return fmt::format("mrt, the paper's basis, {:g} {:g} {:g} {:g}", g.l10, g.l11, g.l14, g.l17);
         }
         std::string operator()(const BgkGhosts&) const { return "bgk"; }
@@ -90,15 +85,15 @@ std::string name_of(const GhostRates& ghosts)
     return std::visit(Name{}, ghosts);
 }
 
-std::string bytes_text(double bytes)
-{
-    if (bytes < 1e6) return fmt::format("{:.0f} kB", std::ceil(bytes / 1e3));
-    if (bytes < 1e9) return fmt::format("{:.0f} MB", bytes / 1e6);
+std::string bytes_text(double bytes) {
+    if (bytes < 1e6)
+        return fmt::format("{:.0f} kB", std::ceil(bytes / 1e3));
+    if (bytes < 1e9)
+        return fmt::format("{:.0f} MB", bytes / 1e6);
     return fmt::format("{:.1f} GB", bytes / 1e9);
 }
 
-void describe_fluid(const Case& what, const Plan& plan, SideBySide& table)
-{
+void describe_fluid(const Case& what, const Plan& plan, SideBySide& table) {
     const Parameters& parameters = what.parameters;
     const FluidParameters& fluid = parameters.fluid;
     const Vec3<int>& size = parameters.size;
@@ -116,7 +111,8 @@ void describe_fluid(const Case& what, const Plan& plan, SideBySide& table)
     table.value("density", fluid.density, dimension::density);
     table.value("relaxation time", plan.relaxation_time, dimension::none);
     table.text("collision", name_of(fluid.ghosts));
-    table.text("precision", parameters.numerics.precision == Precision::double_precision ? "double" : "single");
+    table.text("precision",
+               parameters.numerics.precision == Precision::double_precision ? "double" : "single");
     table.value("interface width 2/beta", plan.interface_width, dimension::length);
     table.value("Mach number, from bending", plan.mach, dimension::none);
     if (what.inertia) {
@@ -125,8 +121,7 @@ void describe_fluid(const Case& what, const Plan& plan, SideBySide& table)
     }
 }
 
-void describe_vesicle(const Case& what, const Plan& plan, std::size_t index, SideBySide& table)
-{
+void describe_vesicle(const Case& what, const Plan& plan, std::size_t index, SideBySide& table) {
     const VesiclePlan& vesicle = plan.vesicles[index];
     const VesicleType& type = what.parameters.types[what.parameters.vesicles[index].type];
     const char* const stiff = "no bending";
@@ -145,7 +140,8 @@ void describe_vesicle(const Case& what, const Plan& plan, std::size_t index, Sid
     table.value("confinement 2 R0/box", vesicle.confinement, dimension::none);
     table.value("smallest radius of curvature", vesicle.smallest_radius, dimension::length);
     if (vesicle.target_smallest_radius)
-        table.value("... of the discocyte it is deflated to", *vesicle.target_smallest_radius, dimension::length);
+        table.value("... of the discocyte it is deflated to", *vesicle.target_smallest_radius,
+                    dimension::length);
     table.value("beta times the smaller (resolution)", vesicle.resolution, dimension::none);
     table.value("cells per interface over R0", plan.interface_width / vesicle.radius, dimension::none);
     table.value("bending time eta R0^3/kappa", vesicle.bending_time, dimension::time, stiff);
@@ -163,10 +159,10 @@ void describe_vesicle(const Case& what, const Plan& plan, std::size_t index, Sid
     table.value("capillary time eta R0/sigma", vesicle.capillary_time, dimension::time, tense);
 }
 
-void describe_cost(const Case& what, const Plan& plan, const RunCost& cost, int threads, SideBySide& table)
-{
+void describe_cost(const Case& what, const Plan& plan, const RunCost& cost, int threads, SideBySide& table) {
     const double seconds = cost.seconds_per_step * static_cast<double>(what.run.steps);
-    table.heading(cost.of_this_case ? "Cost, measured now on this case" : "Cost, measured now on a small box");
+    table.heading(cost.of_this_case ? "Cost, measured now on this case"
+                                    : "Cost, measured now on a small box");
     table.text("memory", bytes_text(cost.bytes));
     table.text("fields and checkpoints on disk, at most", bytes_text(cost.output_bytes));
     table.text("speed", fmt::format("{:.2f} MLUPS on {} thread{}",
@@ -175,28 +171,31 @@ void describe_cost(const Case& what, const Plan& plan, const RunCost& cost, int 
     table.text("run time", duration_text(seconds));
 }
 
-void append(std::string& text, const char* heading, const std::vector<std::string>& lines)
-{
-    if (lines.empty()) return;
+void append(std::string& text, const char* heading, const std::vector<std::string>& lines) {
+    if (lines.empty())
+        return;
     text += fmt::format("\n{}\n", heading);
-    for (const std::string& line : lines) text += "  " + line + "\n";
+    for (const std::string& line : lines)
+        text += "  " + line + "\n";
 }
 
 } // namespace
 
-std::string plan_text(const Case& what, const Plan& plan, const std::optional<RunCost>& cost, int threads)
-{
+std::string plan_text(const Case& what, const Plan& plan, const std::optional<RunCost>& cost, int threads) {
     SideBySide table(what.scales);
     describe_fluid(what, plan, table);
     // A suspension's vesicles are alike; a screenful of the first is worth more than a thousand.
     constexpr std::size_t most = 4;
     for (std::size_t index = 0; index < std::min(plan.vesicles.size(), most); ++index)
         describe_vesicle(what, plan, index, table);
-    if (plan.vesicles.size() > most) table.heading(fmt::format("and {} vesicles more", plan.vesicles.size() - most));
-    if (cost) describe_cost(what, plan, *cost, threads, table);
+    if (plan.vesicles.size() > most)
+        table.heading(fmt::format("and {} vesicles more", plan.vesicles.size() - most));
+    if (cost)
+        describe_cost(what, plan, *cost, threads, table);
 
     std::string text = what.title.empty() ? what.source_file : what.title;
-    text += what.scales ? "\nlattice units, and SI beside them\n" : "\nlattice units (no [units] in the case)\n";
+    text +=
+        what.scales ? "\nlattice units, and SI beside them\n" : "\nlattice units (no [units] in the case)\n";
     text += table.str();
     const auto warnings = texts_of(plan.remarks, Remark::Severity::warning);
     append(text, "Notes", texts_of(plan.remarks, Remark::Severity::note));
@@ -209,14 +208,15 @@ std::string plan_text(const Case& what, const Plan& plan, const std::optional<Ru
     if (errors > 0)
         text += fmt::format("\nrefused: {}, {}\n", count(errors, "error"), count(warnings.size(), "warning"));
     else
-        text += fmt::format("\naccepted, {}\n", warnings.empty() ? "no warnings" : count(warnings.size(), "warning"));
+        text += fmt::format("\naccepted, {}\n",
+                            warnings.empty() ? "no warnings" : count(warnings.size(), "warning"));
     return text;
 }
 
-std::string model_text()
-{
+std::string model_text() {
     return "In the model\n"
-           "  two viscous fluids of equal density, separated by a diffuse interface (colour-gradient lattice\n"
+           "  two viscous fluids of equal density, separated by a diffuse interface (colour-gradient "
+           "lattice\n"
            "  Boltzmann, D3Q19); a membrane with bending elasticity, spontaneous curvature, tension and a\n"
            "  constraint on its total area\n"
            "\n"
@@ -225,7 +225,8 @@ std::string model_text()
            "  area-difference elasticity   the two leaflets are one\n"
            "  adhesion                     membranes and walls do not attract each other\n"
            "  osmosis                      the volume stays what it is, whatever the pressure\n"
-           "  shear elasticity             a red cell's cytoskeleton is missing: its membrane flows in its plane\n"
+           "  shear elasticity             a red cell's cytoskeleton is missing: its membrane flows in its "
+           "plane\n"
            "  local inextensibility        the whole area is kept, not that of every patch\n"
            "\n"
            "Not in this version\n"

@@ -9,7 +9,8 @@
 
 namespace vesica {
 
-/// What `check` prints: lattice and SI values side by side, groups, resolution, cost, and what there is to say.
+/// What `check` prints: lattice and SI values side by side, groups, resolution, cost, and what there is to
+/// say.
 std::string plan_text(const Case& what, const Plan& plan, const std::optional<RunCost>& cost, int threads);
 
 /// What `check --model` prints: what is in the model, and what is not.

@@ -13,14 +13,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double sphere_area_of_volume(double volume)
-{
+double sphere_area_of_volume(double volume) {
     return std::cbrt(36.0 * pi * volume * volume);
 }
 
 /// The rim of the discocyte of this reduced volume; nothing outside the tabulated range.
-std::optional<double> discocyte_smallest_radius(double reduced_volume, double radius)
-{
+std::optional<double> discocyte_smallest_radius(double reduced_volume, double radius) {
     VesicleParameters discocyte;
     discocyte.shape = HelfrichShape{HelfrichBranch::discocyte, reduced_volume};
     discocyte.radius = radius;
@@ -31,9 +29,9 @@ std::optional<double> discocyte_smallest_radius(double reduced_volume, double ra
     }
 }
 
-double penalty_modulus(const AreaParameters& area, double target_area)
-{
-    if (const auto* penalty = std::get_if<PenaltyConstraint>(&area.constraint)) return penalty->modulus;
+double penalty_modulus(const AreaParameters& area, double target_area) {
+    if (const auto* penalty = std::get_if<PenaltyConstraint>(&area.constraint))
+        return penalty->modulus;
     // sigma_A = (alpha/2) A (A - A0) is K_A (A - A0)/A0 with K_A = alpha A A0/2.
     if (const auto* paper = std::get_if<PaperConstraint>(&area.constraint))
         return 0.5 * paper->alpha * target_area * target_area;
@@ -42,8 +40,7 @@ double penalty_modulus(const AreaParameters& area, double target_area)
 
 } // namespace
 
-VesiclePlan plan_vesicle(const Parameters& parameters, std::size_t vesicle, const Shape& shape)
-{
+VesiclePlan plan_vesicle(const Parameters& parameters, std::size_t vesicle, const Shape& shape) {
     const FluidParameters& fluid = parameters.fluid;
     const VesicleType& type = parameters.types[parameters.vesicles[vesicle].type];
     const double viscosity = fluid.density * fluid.kinematic_viscosity;
@@ -67,8 +64,10 @@ VesiclePlan plan_vesicle(const Parameters& parameters, std::size_t vesicle, cons
         plan.target_smallest_radius = discocyte_smallest_radius(plan.target_reduced_volume, plan.radius);
         // A shape that starts at its target need not become a discocyte; one that is deflated may.
         const bool changes = std::abs(plan.target_area / plan.area - 1.0) > 1e-3;
-        if (!changes) plan.target_smallest_radius.reset();
-        if (plan.target_smallest_radius) smallest = std::min(smallest, *plan.target_smallest_radius);
+        if (!changes)
+            plan.target_smallest_radius.reset();
+        if (plan.target_smallest_radius)
+            smallest = std::min(smallest, *plan.target_smallest_radius);
     }
     plan.resolution = fluid.segregation * smallest;
 
@@ -85,18 +84,20 @@ VesiclePlan plan_vesicle(const Parameters& parameters, std::size_t vesicle, cons
         plan.bending_speed = R0 / *plan.bending_time;
         plan.reynolds = fluid.density * *plan.bending_speed * R0 / viscosity;
     }
-    if (type.sigma > 0.0) plan.capillary_time = viscosity * R0 / type.sigma;
-    if (bends && type.sigma > 0.0) plan.bending_over_tension = kappa / (type.sigma * R0 * R0);
+    if (type.sigma > 0.0)
+        plan.capillary_time = viscosity * R0 / type.sigma;
+    if (bends && type.sigma > 0.0)
+        plan.bending_over_tension = kappa / (type.sigma * R0 * R0);
     return plan;
 }
 
 double gap_between(const Shape& a, const Vec3<double>& centre_a, const Shape& b, const Vec3<double>& centre_b,
-                   const Vec3<double>& shift, double reach)
-{
+                   const Vec3<double>& shift, double reach) {
     const double radius_a = a.bounding_radius();
     const double radius_b = b.bounding_radius();
     const Vec3<double> between = centre_b + shift - centre_a;
-    if (norm(between) > radius_a + radius_b + reach) return std::numeric_limits<double>::infinity();
+    if (norm(between) > radius_a + radius_b + reach)
+        return std::numeric_limits<double>::infinity();
 
     // For x between two bodies s_a(x) + s_b(x) is the length of the way from one to the other through x: its
     // minimum is their distance, stationary along the shortest way, so that a grid of one cell finds it well.
@@ -113,7 +114,8 @@ double gap_between(const Shape& a, const Vec3<double>& centre_a, const Shape& b,
             for (double x = low.x; x <= high.x; x += 1.0) {
                 const Vec3<double> position{x, y, z};
                 const double from_a = a.signed_distance(position);
-                if (from_a > gap) continue;
+                if (from_a > gap)
+                    continue;
                 gap = std::min(gap, from_a + b.signed_distance(position - shift));
             }
     return gap;

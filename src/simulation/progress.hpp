@@ -20,8 +20,8 @@ public:
     struct Settings {
         std::int64_t first_step = 0;
         std::int64_t last_step = 0;
-        double cells = 0.0;                      ///< for the million lattice updates per second
-        std::optional<double> seconds_per_step;  ///< physical seconds, when the case has units
+        double cells = 0.0;                     ///< for the million lattice updates per second
+        std::optional<double> seconds_per_step; ///< physical seconds, when the case has units
         bool terminal = false;
     };
 

@@ -6,8 +6,9 @@
 #include "simulation/run_account.hpp"
 #include "simulation/run_recorder.hpp"
 
-#include <chrono>
 #include <fmt/format.h>
+
+#include <chrono>
 #include <new>
 
 namespace vesica {
@@ -16,26 +17,25 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin)
-{
+double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-std::unique_ptr<Engine> build_engine(const Case& what, const RunOptions& options, int threads)
-{
+std::unique_ptr<Engine> build_engine(const Case& what, const RunOptions& options, int threads) {
     try {
-        return options.factory ? options.factory(what.parameters, threads) : make_engine(what.parameters, threads);
+        return options.factory ? options.factory(what.parameters, threads)
+                               : make_engine(what.parameters, threads);
     } catch (const std::bad_alloc&) {
         const Vec3<int>& size = what.parameters.size;
-        throw RunError(fmt::format("{}: not enough memory for {} x {} x {} cells; `vesica check` says how much it takes",
-                                   what.source_file, size.x, size.y, size.z));
+        throw RunError(
+            fmt::format("{}: not enough memory for {} x {} x {} cells; `vesica check` says how much it takes",
+                        what.source_file, size.x, size.y, size.z));
     }
 }
 
 /// A directory that cannot serve is the user's choice, whatever made it unfit.
 template <class Make>
-auto directory_of_user(const Make& make)
-{
+auto directory_of_user(const Make& make) {
     try {
         return make();
     } catch (const RunError& failure) {
@@ -46,29 +46,26 @@ auto directory_of_user(const Make& make)
 /// What a run and its resumption have in common: from a built engine to the summary.
 class Session {
 public:
-    Session(const Case& what, const Plan& plan, const RunOptions& options, OutputDirectory directory, int threads,
-            Clock::time_point begin)
+    Session(const Case& what, const Plan& plan, const RunOptions& options, OutputDirectory directory,
+            int threads, Clock::time_point begin)
         : case_(what),
           plan_(plan),
           options_(options),
           directory_(std::move(directory)),
           log_(directory_ / "log.txt"),
           threads_(threads),
-          begin_(begin)
-    {
-    }
+          begin_(begin) {}
 
     RunLog& log() { return log_; }
     const OutputDirectory& directory() const { return directory_; }
 
-    void say(const std::string& text)
-    {
+    void say(const std::string& text) {
         log_.information(text);
-        if (options_.out != nullptr) *options_.out << text << std::endl;
+        if (options_.out != nullptr)
+            *options_.out << text << std::endl;
     }
 
-    RunOutcome run(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed)
-    {
+    RunOutcome run(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed) {
         account_.setting_up = seconds_since(begin_);
         account_.first_step = engine.steps_done();
         account_.threads = threads_;
@@ -86,8 +83,7 @@ public:
 private:
     std::string title() const { return case_.title.empty() ? case_.source_file : case_.title; }
 
-    LoopResult loop(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed)
-    {
+    LoopResult loop(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed) {
         const StopSignals signals;
         const StopRequest stop(case_.run.wall_time, begin_);
         Progress progress(progress_settings(engine), options_.out, Clock::now());
@@ -96,7 +92,9 @@ private:
         LoopResult result;
         try {
             RunRecorder recorder(case_, directory_, log_, metrics, progress, stop, resumed);
-            const auto settle = [&] { recording = recorder.seconds(); };
+            const auto settle = [&] {
+                recording = recorder.seconds();
+            };
             try {
                 result = run_loop(engine, case_.run.steps, Schedule(case_.output), recorder);
             } catch (...) {
@@ -115,25 +113,28 @@ private:
         return result;
     }
 
-    Progress::Settings progress_settings(const Engine& engine) const
-    {
+    Progress::Settings progress_settings(const Engine& engine) const {
         Progress::Settings settings;
         settings.first_step = engine.steps_done();
         settings.last_step = case_.run.steps;
         settings.cells = static_cast<double>(plan_.cells);
-        if (case_.scales) settings.seconds_per_step = case_.scales->step;
+        if (case_.scales)
+            settings.seconds_per_step = case_.scales->step;
         settings.terminal = options_.terminal;
         return settings;
     }
 
-    RunOutcome conclude(const LoopResult& result, const RunMetrics& metrics)
-    {
+    RunOutcome conclude(const LoopResult& result, const RunMetrics& metrics) {
         RunOutcome outcome{ExitStatus::done, result.end, result.step, {}};
         const std::string where = directory_.path().string();
         std::string ended;
         switch (result.end) {
-        case RunEnd::finished: ended = fmt::format("done: {} steps", result.step); break;
-        case RunEnd::steady: ended = fmt::format("done: steady after {} steps", result.step); break;
+        case RunEnd::finished:
+            ended = fmt::format("done: {} steps", result.step);
+            break;
+        case RunEnd::steady:
+            ended = fmt::format("done: steady after {} steps", result.step);
+            break;
         case RunEnd::stopped:
             outcome.status = ExitStatus::stopped;
             outcome.message = fmt::format("stopped after step {}: {}; a checkpoint is written; continue with "
@@ -142,7 +143,8 @@ private:
             break;
         case RunEnd::failed:
             outcome.status = ExitStatus::run_failed;
-            outcome.message = failure_text(case_, plan_, result) + "; everything written before is in " + where;
+            outcome.message =
+                failure_text(case_, plan_, result) + "; everything written before is in " + where;
             break;
         }
         account_.total = seconds_since(begin_);
@@ -151,7 +153,8 @@ private:
             write_summary(directory_ / "summary.json", summary);
         } catch (const RunError& failure) {
             // A full disk may have ended the run already; the first reason is the one to tell.
-            if (outcome.status == ExitStatus::done) outcome = {ExitStatus::run_failed, result.end, result.step, failure.what()};
+            if (outcome.status == ExitStatus::done)
+                outcome = {ExitStatus::run_failed, result.end, result.step, failure.what()};
         }
         for (const Verdict& verdict : summary.verdicts)
             if (!verdict.passed && result.end != RunEnd::stopped && result.end != RunEnd::failed)
@@ -174,15 +177,13 @@ private:
     RunAccount account_;
 };
 
-int threads_for(const RunOptions& options)
-{
+int threads_for(const RunOptions& options) {
     return options.threads > 0 ? options.threads : default_threads();
 }
 
 } // namespace
 
-RunOutcome run_case(const Case& what, const RunOptions& options)
-{
+RunOutcome run_case(const Case& what, const RunOptions& options) {
     const auto begin = Clock::now();
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
@@ -194,34 +195,42 @@ RunOutcome run_case(const Case& what, const RunOptions& options)
     write_atomically(session.directory() / "case.toml", what.source_text);
     write_atomically(session.directory() / "resolved.toml", resolved_toml(what));
     session.log().information(fmt::format("vesica {} ({}, {})", version, commit, compiler));
-    for (const std::string& warning : texts_of(plan.remarks, Remark::Severity::warning)) session.log().warning(warning);
+    for (const std::string& warning : texts_of(plan.remarks, Remark::Severity::warning))
+        session.log().warning(warning);
 
     const auto engine = build_engine(what, options, threads);
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
     return session.run(*engine, metrics, std::nullopt);
 }
 
-RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options)
-{
+RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options) {
     const auto begin = Clock::now();
     OutputDirectory directory = directory_of_user([&] { return OutputDirectory::open(options.directory); });
     const IntactCheckpoint found =
         directory_of_user([&] { return newest_intact_checkpoint(options.directory / "checkpoints"); });
     Case what = read_case_text(found.checkpoint.case_text, found.path.string());
-    if (steps) what.run.steps = *steps;
+    const std::int64_t done = found.checkpoint.engine.step;
+    if (steps && *steps < done)
+        throw InputError(
+            fmt::format("--steps is {}; expected at least {}, the step of {}; try a larger one, for it means "
+                        "steps in total",
+                        *steps, done, found.path.string()));
+    if (steps)
+        what.run.steps = *steps;
 
     // What a case has been begun with is not refused any more.
     const Plan plan = make_plan(what, PlanOptions{true});
     const int threads = threads_for(options);
     Session session(what, plan, options, std::move(directory), threads, begin);
-    for (const std::string& refused : found.refused) session.log().warning(refused);
+    for (const std::string& refused : found.refused)
+        session.log().warning(refused);
     session.log().information(fmt::format("vesica {} ({}, {}) resumes from {}", version, commit, compiler,
                                           found.path.filename().string()));
     const auto engine = build_engine(what, options, threads);
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
     engine->load(found.checkpoint.engine);
     metrics.restore(found.checkpoint.notes);
-    return session.run(*engine, metrics, found.checkpoint.engine.step);
+    return session.run(*engine, metrics, done);
 }
 
 } // namespace vesica

@@ -14,13 +14,13 @@
 namespace vesica {
 
 struct RunOptions {
-    std::filesystem::path directory;  ///< DIR
+    std::filesystem::path directory; ///< DIR
     bool overwrite = false;
-    int threads = 0;                  ///< 0: as many as default_threads()
+    int threads = 0; ///< 0: as many as default_threads()
     PlanOptions plan;
-    std::ostream* out = nullptr;      ///< for progress and a word at the beginning and the end; null: silent
-    bool terminal = false;            ///< whether `out` is one
-    EngineFactory factory;            ///< empty: make_engine
+    std::ostream* out = nullptr; ///< for progress and a word at the beginning and the end; null: silent
+    bool terminal = false;       ///< whether `out` is one
+    EngineFactory factory;       ///< empty: make_engine
 };
 
 /// Exit statuses of the program, for whoever runs a case.
@@ -33,13 +33,13 @@ struct RunOutcome {
     std::string message; ///< what to tell the user when it did not end well
 };
 
-/// Runs a case into DIR: case.toml, resolved.toml, log.txt, metrics.csv, fields, surfaces, checkpoints and at last
-/// summary.json. Throws InputError if the case or the directory cannot serve; nothing is written then. What goes
-/// wrong later is in the outcome, and everything written before it stays.
+/// Runs a case into DIR: case.toml, resolved.toml, log.txt, metrics.csv, fields, surfaces, checkpoints and at
+/// last summary.json. Throws InputError if the case or the directory cannot serve; nothing is written then.
+/// What goes wrong later is in the outcome, and everything written before it stays.
 RunOutcome run_case(const Case& what, const RunOptions& options);
 
-/// Continues the run in DIR from its newest intact checkpoint, bit for bit as if it had never stopped, up to `steps`
-/// in total if given. Throws InputError if there is nothing to continue.
+/// Continues the run in DIR from its newest intact checkpoint, bit for bit as if it had never stopped, up to
+/// `steps` in total if given. Throws InputError if there is nothing to continue.
 RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options);
 
 } // namespace vesica

@@ -8,20 +8,20 @@ namespace vesica {
 
 namespace {
 
-FieldSeries series_for(const Case& what, const std::filesystem::path& directory, std::optional<std::int64_t> resumed)
-{
+FieldSeries series_for(const Case& what, const std::filesystem::path& directory,
+                       std::optional<std::int64_t> resumed) {
     const FieldOutput& output = *what.output.fields;
     FieldSeries::Options options;
     options.sampling = {output.region_begin, output.region_end, output.stride};
     options.scales = what.scales.value_or(Scales{});
-    if (resumed) return FieldSeries::resume(directory, options, *resumed);
+    if (resumed)
+        return FieldSeries::resume(directory, options, *resumed);
     return FieldSeries(directory, options);
 }
 
 } // namespace
 
-Dimension dimension_of(const std::string& quantity)
-{
+Dimension dimension_of(const std::string& quantity) {
     static const std::array<std::pair<const char*, Dimension>, 8> known = {{
         {"density", dimension::density},
         {"velocity", dimension::velocity},
@@ -33,18 +33,18 @@ Dimension dimension_of(const std::string& quantity)
         {"tension_force", dimension::pressure},
     }};
     for (const auto& [name, dimension] : known)
-        if (quantity == name) return dimension;
+        if (quantity == name)
+            return dimension;
     return dimension::none;
 }
 
-RunFields::RunFields(const Case& what, const std::filesystem::path& directory, std::optional<std::int64_t> resumed)
-    : output_(*what.output.fields), scales_(what.scales), series_(series_for(what, directory, resumed))
-{
-}
+RunFields::RunFields(const Case& what, const std::filesystem::path& directory,
+                     std::optional<std::int64_t> resumed)
+    : output_(*what.output.fields), scales_(what.scales), series_(series_for(what, directory, resumed)) {}
 
-void RunFields::sample(const Engine& engine)
-{
-    if (samples_ == 0) sums_.clear();
+void RunFields::sample(const Engine& engine) {
+    if (samples_ == 0)
+        sums_.clear();
     for (std::size_t index = 0; index < output_.names.size(); ++index) {
         DenseField now = engine.field(output_.names[index]);
         if (samples_ == 0) {
@@ -53,16 +53,18 @@ void RunFields::sample(const Engine& engine)
         }
         std::vector<double>& sum = sums_[index].values;
         assert(sum.size() == now.values.size());
-        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += now.values[k];
+        for (std::size_t k = 0; k < sum.size(); ++k)
+            sum[k] += now.values[k];
     }
     ++samples_;
 }
 
-void RunFields::write(const Engine& engine)
-{
+void RunFields::write(const Engine& engine) {
     // An instant is the average of one sample.
-    if (!output_.average) samples_ = 0;
-    if (samples_ == 0) sample(engine);
+    if (!output_.average)
+        samples_ = 0;
+    if (samples_ == 0)
+        sample(engine);
     std::vector<NamedField> fields;
     for (std::size_t index = 0; index < output_.names.size(); ++index) {
         const std::string& name = output_.names[index];

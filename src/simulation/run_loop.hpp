@@ -19,9 +19,9 @@ enum class RunEnd {
 
 struct LoopResult {
     RunEnd end = RunEnd::finished;
-    std::int64_t step = 0;           ///< steps done
-    std::string reason;              ///< why it stopped
-    std::optional<Trouble> trouble;  ///< why it failed
+    std::int64_t step = 0;          ///< steps done
+    std::string reason;             ///< why it stopped
+    std::optional<Trouble> trouble; ///< why it failed
 };
 
 /// What a run does besides stepping. The loop decides when, the observer how.
@@ -45,10 +45,10 @@ public:
     virtual std::optional<std::string> stop_reason() const = 0;
 };
 
-/// Steps `engine` until `last_step`, a steady state, a request to stop or trouble, and lets `observer` record what
-/// `schedule` says. A run from step 0 records what is due there first; a resumed one has done so before.
-/// When it ends well, the last step has its metrics, and its checkpoint if the case wants checkpoints; when it is
-/// stopped, it has a checkpoint whatever the case wants.
+/// Steps `engine` until `last_step`, a steady state, a request to stop or trouble, and lets `observer` record
+/// what `schedule` says. A run from step 0 records what is due there first; a resumed one has done so before.
+/// When it ends well, the last step has its metrics, and its checkpoint if the case wants checkpoints; when
+/// it is stopped, it has a checkpoint whatever the case wants.
 LoopResult run_loop(Engine& engine, std::int64_t last_step, const Schedule& schedule, RunObserver& observer);
 
 } // namespace vesica

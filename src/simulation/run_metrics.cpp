@@ -10,18 +10,18 @@ namespace vesica {
 
 namespace {
 
-std::int64_t end_of_ramps(const Parameters& parameters)
-{
+std::int64_t end_of_ramps(const Parameters& parameters) {
     std::int64_t end = 0;
     for (const VesicleType& type : parameters.types)
-        if (type.area.deflation) end = std::max(end, type.area.ramp);
+        if (type.area.deflation)
+            end = std::max(end, type.area.ramp);
     return end;
 }
 
-const std::vector<double>& note(const RunMetrics::Notes& notes, const std::string& name)
-{
+const std::vector<double>& note(const RunMetrics::Notes& notes, const std::string& name) {
     const auto found = notes.find(name);
-    if (found == notes.end()) throw RunError("the checkpoint does not remember " + name);
+    if (found == notes.end())
+        throw RunError("the checkpoint does not remember " + name);
     return found->second;
 }
 
@@ -29,8 +29,7 @@ const std::vector<double>& note(const RunMetrics::Notes& notes, const std::strin
 
 RunMetrics::RunMetrics(const Parameters& parameters, const RunParameters& run, std::int64_t every,
                        const Snapshot& initial)
-    : every_(every), ramp_end_(end_of_ramps(parameters)), criterion_(run.stop_when_steady)
-{
+    : every_(every), ramp_end_(end_of_ramps(parameters)), criterion_(run.stop_when_steady) {
     const Vec3<double> period{1.0 * parameters.size.x, 1.0 * parameters.size.y, 1.0 * parameters.size.z};
     for (const VesicleSnapshot& vesicle : initial.vesicles) {
         baselines_.push_back(baseline_of(vesicle, static_cast<int>(baselines_.size())));
@@ -38,8 +37,7 @@ RunMetrics::RunMetrics(const Parameters& parameters, const RunParameters& run, s
     }
 }
 
-const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot)
-{
+const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot) {
     last_.clear();
     for (std::size_t vesicle = 0; vesicle < snapshot.vesicles.size(); ++vesicle) {
         MetricsRow row = measure(snapshot.vesicles[vesicle], snapshot, baselines_[vesicle]);
@@ -53,38 +51,42 @@ const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot)
     return last_;
 }
 
-void RunMetrics::remember(std::int64_t step)
-{
+void RunMetrics::remember(std::int64_t step) {
     // The sample after the last step may be off the schedule; a longer run would not have taken it.
-    if (!criterion_ || every_ == 0 || step % every_ != 0) return;
+    if (!criterion_ || every_ == 0 || step % every_ != 0)
+        return;
     Moment moment{step, {}};
-    for (const MetricsRow& row : last_) moment.values.push_back(metrics_value(row, criterion_->quantity));
+    for (const MetricsRow& row : last_)
+        moment.values.push_back(metrics_value(row, criterion_->quantity));
     history_.push_back(std::move(moment));
     // One sample at or before the beginning of the window is enough.
-    while (history_.size() > 1 && history_[1].step <= step - criterion_->over) history_.pop_front();
+    while (history_.size() > 1 && history_[1].step <= step - criterion_->over)
+        history_.pop_front();
 }
 
-bool RunMetrics::is_steady() const
-{
-    if (!criterion_ || history_.empty()) return false;
+bool RunMetrics::is_steady() const {
+    if (!criterion_ || history_.empty())
+        return false;
     const Moment& now = history_.back();
     const std::int64_t begin = now.step - criterion_->over;
-    if (history_.front().step > begin || history_.front().step < ramp_end_) return false;
+    if (history_.front().step > begin || history_.front().step < ramp_end_)
+        return false;
     for (std::size_t vesicle = 0; vesicle < now.values.size(); ++vesicle) {
         double low = now.values[vesicle];
         double high = low;
         for (const Moment& moment : history_) {
-            if (std::isnan(moment.values[vesicle])) return false;
+            if (std::isnan(moment.values[vesicle]))
+                return false;
             low = std::min(low, moment.values[vesicle]);
             high = std::max(high, moment.values[vesicle]);
         }
-        if (high - low > criterion_->relative_change * std::abs(now.values[vesicle])) return false;
+        if (high - low > criterion_->relative_change * std::abs(now.values[vesicle]))
+            return false;
     }
     return true;
 }
 
-RunMetrics::Notes RunMetrics::notes() const
-{
+RunMetrics::Notes RunMetrics::notes() const {
     Notes notes;
     for (const MetricsBaseline& baseline : baselines_) {
         notes["colour_mass"].push_back(baseline.colour_mass);
@@ -101,8 +103,7 @@ RunMetrics::Notes RunMetrics::notes() const
     return notes;
 }
 
-void RunMetrics::restore(const Notes& notes)
-{
+void RunMetrics::restore(const Notes& notes) {
     const std::size_t vesicles = baselines_.size();
     if (vesicles > 0) {
         const auto& masses = note(notes, "colour_mass");
@@ -114,8 +115,10 @@ void RunMetrics::restore(const Notes& notes)
             baselines_[vesicle].diameter = diameters[vesicle];
         }
     }
-    for (CentreTracker& tracker : trackers_) tracker.restore(std::nullopt);
-    if (const auto found = notes.find("centres"); found != notes.end() && found->second.size() == 3 * vesicles)
+    for (CentreTracker& tracker : trackers_)
+        tracker.restore(std::nullopt);
+    if (const auto found = notes.find("centres");
+        found != notes.end() && found->second.size() == 3 * vesicles)
         for (std::size_t vesicle = 0; vesicle < vesicles; ++vesicle) {
             const double* centre = found->second.data() + 3 * vesicle;
             trackers_[vesicle].restore(Vec3<double>{centre[0], centre[1], centre[2]});
@@ -123,7 +126,8 @@ void RunMetrics::restore(const Notes& notes)
     history_.clear();
     const auto steps = notes.find("steady_steps");
     const auto values = notes.find("steady_values");
-    if (!criterion_ || steps == notes.end() || values == notes.end()) return;
+    if (!criterion_ || steps == notes.end() || values == notes.end())
+        return;
     for (std::size_t moment = 0; moment < steps->second.size(); ++moment) {
         const auto begin = values->second.begin() + static_cast<std::ptrdiff_t>(moment * vesicles);
         history_.push_back({static_cast<std::int64_t>(steps->second[moment]),

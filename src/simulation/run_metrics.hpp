@@ -13,14 +13,16 @@
 
 namespace vesica {
 
-/// The metrics of a run from sample to sample: what they are compared with, where the centres were, whether they
-/// still change. All of it goes into checkpoints, so that a resumed run measures what an unbroken one does.
+/// The metrics of a run from sample to sample: what they are compared with, where the centres were, whether
+/// they still change. All of it goes into checkpoints, so that a resumed run measures what an unbroken one
+/// does.
 class RunMetrics {
 public:
     using Notes = std::map<std::string, std::vector<double>>;
 
     /// `initial` is the state at step 0; after it, `restore` puts a checkpoint's memory in place of it.
-    RunMetrics(const Parameters& parameters, const RunParameters& run, std::int64_t every, const Snapshot& initial);
+    RunMetrics(const Parameters& parameters, const RunParameters& run, std::int64_t every,
+               const Snapshot& initial);
 
     /// Measures every vesicle.
     const std::vector<MetricsRow>& sample(const Snapshot& snapshot);
@@ -28,8 +30,8 @@ public:
     /// The rows of the newest sample; none before the first.
     const std::vector<MetricsRow>& last() const { return last_; }
 
-    /// Whether the quantity has changed by no more than asked for, for as long as asked for, for every vesicle, and
-    /// the targets have stood still meanwhile.
+    /// Whether the quantity has changed by no more than asked for, for as long as asked for, for every
+    /// vesicle, and the targets have stood still meanwhile.
     bool is_steady() const;
 
     Notes notes() const;

@@ -4,18 +4,20 @@
 #include "io/case_file.hpp"
 #include "measure/surface.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
-#include <fmt/format.h>
 
 namespace vesica {
 
 namespace {
 
-MetricsFile metrics_file_for(const Case& what, const OutputDirectory& directory, std::optional<std::int64_t> resumed)
-{
+MetricsFile metrics_file_for(const Case& what, const OutputDirectory& directory,
+                             std::optional<std::int64_t> resumed) {
     const std::filesystem::path path = directory / "metrics.csv";
-    if (!resumed) return MetricsFile(path, metrics_columns());
+    if (!resumed)
+        return MetricsFile(path, metrics_columns());
     // A run that ended off its schedule has a last row there that a longer run would not have written.
     const std::int64_t every = what.output.metrics_every;
     const std::int64_t last = every > 0 ? *resumed / every * every : -1;
@@ -23,11 +25,12 @@ MetricsFile metrics_file_for(const Case& what, const OutputDirectory& directory,
 }
 
 std::optional<SurfaceSeries> surfaces_for(const Case& what, const OutputDirectory& directory,
-                                          std::optional<std::int64_t> resumed)
-{
-    if (what.output.surfaces_every == 0) return std::nullopt;
+                                          std::optional<std::int64_t> resumed) {
+    if (what.output.surfaces_every == 0)
+        return std::nullopt;
     const Scales scales = what.scales.value_or(Scales{});
-    if (resumed) return SurfaceSeries::resume(directory.path(), scales, *resumed);
+    if (resumed)
+        return SurfaceSeries::resume(directory.path(), scales, *resumed);
     return SurfaceSeries(directory.path(), scales);
 }
 
@@ -35,24 +38,22 @@ std::optional<SurfaceSeries> surfaces_for(const Case& what, const OutputDirector
 class OntoSurface {
 public:
     OntoSurface(const VesicleSnapshot& vesicle, const SurfaceMesh& mesh, const std::optional<Scales>& scales)
-        : vesicle_(vesicle), mesh_(mesh), block_(phase_block(vesicle)), scales_(scales)
-    {
-    }
+        : vesicle_(vesicle), mesh_(mesh), block_(phase_block(vesicle)), scales_(scales) {}
 
     template <class Quantity>
-    SurfaceQuantity scalar(const std::string& name, Quantity quantity) const
-    {
+    SurfaceQuantity scalar(const std::string& name, Quantity quantity) const {
         std::vector<double> values = interpolate(mesh_, nodal_values(vesicle_, block_, quantity));
-        for (double& value : values) value *= factor(name);
+        for (double& value : values)
+            value *= factor(name);
         return {name, 1, std::move(values)};
     }
 
     template <class Quantity>
-    SurfaceQuantity vector(const std::string& name, Quantity quantity) const
-    {
+    SurfaceQuantity vector(const std::string& name, Quantity quantity) const {
         SurfaceQuantity result{name, 3, std::vector<double>(3 * mesh_.points.size())};
         for (int axis = 0; axis < 3; ++axis) {
-            const SurfaceQuantity part = scalar(name, [&](const InterfaceCell& cell) { return quantity(cell)[axis]; });
+            const SurfaceQuantity part =
+                scalar(name, [&](const InterfaceCell& cell) { return quantity(cell)[axis]; });
             for (std::size_t point = 0; point < part.values.size(); ++point)
                 result.values[3 * point + static_cast<std::size_t>(axis)] = part.values[point];
         }
@@ -68,14 +69,14 @@ private:
     const std::optional<Scales>& scales_;
 };
 
-SurfaceArrays surface_of(const VesicleSnapshot& vesicle, int index, const std::optional<Scales>& scales)
-{
+SurfaceArrays surface_of(const VesicleSnapshot& vesicle, int index, const std::optional<Scales>& scales) {
     const SurfaceMesh mesh = extract_surface(vesicle);
     SurfaceArrays arrays;
     arrays.vesicle = index;
     arrays.points = mesh.points;
     for (const auto& corners : mesh.triangles)
-        arrays.triangles.push_back({static_cast<std::int32_t>(corners[0]), static_cast<std::int32_t>(corners[1]),
+        arrays.triangles.push_back({static_cast<std::int32_t>(corners[0]),
+                                    static_cast<std::int32_t>(corners[1]),
                                     static_cast<std::int32_t>(corners[2])});
     const OntoSurface onto(vesicle, mesh, scales);
     arrays.quantities = {
@@ -99,39 +100,47 @@ RunRecorder::RunRecorder(const Case& what, const OutputDirectory& directory, Run
       stop_(stop),
       metrics_file_(metrics_file_for(what, directory, resumed)),
       surfaces_(surfaces_for(what, directory, resumed)),
-      checkpoints_(directory / "checkpoints", std::max(1, what.output.checkpoint_keep))
-{
-    if (what.output.fields) fields_.emplace(what, directory.path(), resumed);
+      checkpoints_(directory / "checkpoints", std::max(1, what.output.checkpoint_keep)) {
+    if (what.output.fields)
+        fields_.emplace(what, directory.path(), resumed);
 }
 
-void RunRecorder::record(Event event, const Engine& engine)
-{
+void RunRecorder::record(Event event, const Engine& engine) {
     const auto begin = std::chrono::steady_clock::now();
     switch (event) {
-    case Event::trouble: break;
+    case Event::trouble:
+        break;
     case Event::sample:
-        if (fields_) fields_->sample(engine);
+        if (fields_)
+            fields_->sample(engine);
         break;
-    case Event::metrics: write_metrics(engine); break;
+    case Event::metrics:
+        write_metrics(engine);
+        break;
     case Event::fields:
-        if (fields_) fields_->write(engine);
+        if (fields_)
+            fields_->write(engine);
         break;
-    case Event::surfaces: write_surfaces(engine); break;
-    case Event::checkpoint: write_checkpoint(engine); break;
+    case Event::surfaces:
+        write_surfaces(engine);
+        break;
+    case Event::checkpoint:
+        write_checkpoint(engine);
+        break;
     }
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void RunRecorder::write_metrics(const Engine& engine)
-{
+void RunRecorder::write_metrics(const Engine& engine) {
     std::vector<std::vector<double>> rows;
-    for (const MetricsRow& row : metrics_.sample(engine.snapshot())) rows.push_back(metrics_values(row));
+    for (const MetricsRow& row : metrics_.sample(engine.snapshot()))
+        rows.push_back(metrics_values(row));
     metrics_file_.append(rows);
 }
 
-void RunRecorder::write_surfaces(const Engine& engine)
-{
-    if (!surfaces_) return;
+void RunRecorder::write_surfaces(const Engine& engine) {
+    if (!surfaces_)
+        return;
     const Snapshot snapshot = engine.snapshot();
     std::vector<SurfaceArrays> surfaces;
     for (std::size_t index = 0; index < snapshot.vesicles.size(); ++index)
@@ -139,8 +148,7 @@ void RunRecorder::write_surfaces(const Engine& engine)
     surfaces_->write(snapshot.step, std::move(surfaces));
 }
 
-void RunRecorder::write_checkpoint(const Engine& engine)
-{
+void RunRecorder::write_checkpoint(const Engine& engine) {
     metrics_file_.flush();
     Checkpoint checkpoint;
     checkpoint.engine = engine.save();

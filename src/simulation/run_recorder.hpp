@@ -20,7 +20,8 @@ namespace vesica {
 /// Writes what a run leaves behind, and listens to who wants it to stop.
 class RunRecorder : public RunObserver {
 public:
-    /// `resumed`: the step of the checkpoint from which the run continues; what was written beyond it is removed.
+    /// `resumed`: the step of the checkpoint from which the run continues; what was written beyond it is
+    /// removed.
     RunRecorder(const Case& what, const OutputDirectory& directory, RunLog& log, RunMetrics& metrics,
                 Progress& progress, const StopRequest& stop, std::optional<std::int64_t> resumed);
 

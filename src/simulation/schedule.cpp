@@ -11,13 +11,13 @@ namespace {
 /// often loses the place where it began.
 constexpr std::int64_t steps_between_trouble_checks = 100;
 
-/// Samples of a time average: enough for its statistical error to be that of the flow, few enough to be cheap.
+/// Samples of a time average: enough for its statistical error to be that of the flow, few enough to be
+/// cheap.
 constexpr std::int64_t samples_per_average = 50;
 
 } // namespace
 
-Schedule::Schedule(const OutputParameters& output)
-{
+Schedule::Schedule(const OutputParameters& output) {
     const auto set = [this](Event event, std::int64_t every) {
         assert(every >= 0);
         every_[static_cast<std::size_t>(event)] = every;
@@ -33,20 +33,18 @@ Schedule::Schedule(const OutputParameters& output)
     }
 }
 
-std::int64_t Schedule::every(Event event) const
-{
+std::int64_t Schedule::every(Event event) const {
     return every_[static_cast<std::size_t>(event)];
 }
 
-bool Schedule::due(Event event, std::int64_t step) const
-{
+bool Schedule::due(Event event, std::int64_t step) const {
     const std::int64_t period = every(event);
-    if (period == 0 || (step == 0 && event == Event::checkpoint)) return false;
+    if (period == 0 || (step == 0 && event == Event::checkpoint))
+        return false;
     return step % period == 0;
 }
 
-bool Schedule::anything_due(std::int64_t step) const
-{
+bool Schedule::anything_due(std::int64_t step) const {
     return std::any_of(all_events.begin(), all_events.end(), [&](Event event) { return due(event, step); });
 }
 

@@ -14,15 +14,15 @@ enum class Event { trouble, sample, metrics, fields, surfaces, checkpoint };
 inline constexpr std::array<Event, 6> all_events = {Event::trouble, Event::sample,   Event::metrics,
                                                     Event::fields,  Event::surfaces, Event::checkpoint};
 
-/// When each event falls due: every so many steps, counted from step 0 whatever step a run starts from, so that
-/// two half runs do the same as one whole run.
+/// When each event falls due: every so many steps, counted from step 0 whatever step a run starts from, so
+/// that two half runs do the same as one whole run.
 class Schedule {
 public:
     /// `sample` collects time averages of fields; it falls due only if the case asks for averages.
     explicit Schedule(const OutputParameters& output);
 
-    /// Every event but `checkpoint` may fall due at step 0: there is nothing in a checkpoint of the initial state
-    /// that the case does not say.
+    /// Every event but `checkpoint` may fall due at step 0: there is nothing in a checkpoint of the initial
+    /// state that the case does not say.
     bool due(Event event, std::int64_t step) const;
     bool anything_due(std::int64_t step) const;
 

@@ -8,13 +8,11 @@ namespace {
 
 volatile std::sig_atomic_t received_signal = 0;
 
-extern "C" void vesica_note_signal(int signal)
-{
+extern "C" void vesica_note_signal(int signal) {
     received_signal = signal;
 }
 
-void install(int signal, int flags, struct sigaction& previous)
-{
+void install(int signal, int flags, struct sigaction& previous) {
     struct sigaction action {};
     action.sa_handler = vesica_note_signal;
     // Interrupted reads and writes are taken up again: a signal must not look like a full disk.
@@ -25,40 +23,40 @@ void install(int signal, int flags, struct sigaction& previous)
 
 } // namespace
 
-StopSignals::StopSignals()
-{
+StopSignals::StopSignals() {
     received_signal = 0;
     install(SIGINT, static_cast<int>(SA_RESETHAND), previous_interrupt_);
     install(SIGTERM, 0, previous_terminate_);
     install(SIGUSR1, 0, previous_user_);
 }
 
-StopSignals::~StopSignals()
-{
+StopSignals::~StopSignals() {
     sigaction(SIGINT, &previous_interrupt_, nullptr);
     sigaction(SIGTERM, &previous_terminate_, nullptr);
     sigaction(SIGUSR1, &previous_user_, nullptr);
 }
 
-std::optional<std::string> StopSignals::received()
-{
+std::optional<std::string> StopSignals::received() {
     switch (received_signal) {
-    case 0: return std::nullopt;
-    case SIGINT: return "SIGINT";
-    case SIGTERM: return "SIGTERM";
-    case SIGUSR1: return "SIGUSR1";
-    default: return "a signal";
+    case 0:
+        return std::nullopt;
+    case SIGINT:
+        return "SIGINT";
+    case SIGTERM:
+        return "SIGTERM";
+    case SIGUSR1:
+        return "SIGUSR1";
+    default:
+        return "a signal";
     }
 }
 
 StopRequest::StopRequest(std::optional<double> wall_time, Clock::time_point begin)
-    : wall_time_(wall_time), begin_(begin)
-{
-}
+    : wall_time_(wall_time), begin_(begin) {}
 
-std::optional<std::string> StopRequest::reason(Clock::time_point now) const
-{
-    if (const auto signal = StopSignals::received()) return *signal + " received";
+std::optional<std::string> StopRequest::reason(Clock::time_point now) const {
+    if (const auto signal = StopSignals::received())
+        return *signal + " received";
     const double elapsed = std::chrono::duration<double>(now - begin_).count();
     if (wall_time_ && elapsed >= *wall_time_)
         return fmt::format("the wall time of {:g} s is used up", *wall_time_);

@@ -1,7 +1,6 @@
-#include "simulation/plan.hpp"
-
 #include "core/input_error.hpp"
 #include "io/case_file.hpp"
+#include "simulation/plan.hpp"
 #include "simulation/plan_cost.hpp"
 #include "simulation/plan_text.hpp"
 #include "simulation/run_fake_engine.hpp"
@@ -13,33 +12,29 @@ using Severity = Remark::Severity;
 
 namespace {
 
-std::string shipped()
-{
+std::string shipped() {
     return std::string(VESICA_SOURCE_DIR) + "/cases/discocyte.toml";
 }
 
-Case discocyte(const std::vector<std::string>& overrides = {})
-{
+Case discocyte(const std::vector<std::string>& overrides = {}) {
     return read_case(shipped(), overrides);
 }
 
-std::string all(const Plan& plan, Severity severity)
-{
+std::string all(const Plan& plan, Severity severity) {
     std::string text;
-    for (const std::string& line : texts_of(plan.remarks, severity)) text += line + "\n";
+    for (const std::string& line : texts_of(plan.remarks, severity))
+        text += line + "\n";
     return text;
 }
 
-bool says(const std::string& text, const std::string& part)
-{
+bool says(const std::string& text, const std::string& part) {
     INFO(text);
     return text.find(part) != std::string::npos;
 }
 
 } // namespace
 
-TEST_CASE("the shipped discocyte is accepted without a warning, with a note on its rim")
-{
+TEST_CASE("the shipped discocyte is accepted without a warning, with a note on its rim") {
     const Plan plan = make_plan(discocyte());
     CHECK(all(plan, Severity::error).empty());
     CHECK(all(plan, Severity::warning).empty());
@@ -47,8 +42,7 @@ TEST_CASE("the shipped discocyte is accepted without a warning, with a note on i
     CHECK_NOTHROW(refuse_errors(plan));
 }
 
-TEST_CASE("groups are those of their definitions")
-{
+TEST_CASE("groups are those of their definitions") {
     const Plan plan = make_plan(discocyte());
     REQUIRE(plan.vesicles.size() == 1);
     const VesiclePlan& vesicle = plan.vesicles.front();
@@ -64,16 +58,14 @@ TEST_CASE("groups are those of their definitions")
     CHECK(plan.interface_width == Approx(2.0 / 0.67));
 }
 
-TEST_CASE("a sphere to be deflated is judged by the rim of the discocyte, .375 R0")
-{
+TEST_CASE("a sphere to be deflated is judged by the rim of the discocyte, .375 R0") {
     const Plan plan = make_plan(discocyte());
     REQUIRE(plan.vesicles.front().target_smallest_radius);
     CHECK(*plan.vesicles.front().target_smallest_radius == Approx(0.375 * 15.0).epsilon(0.02));
     CHECK(plan.vesicles.front().resolution == Approx(0.67 * 0.375 * 15.0).epsilon(0.02));
 }
 
-TEST_CASE("the finer the lattice the milder the judgement: error, warning, note, nothing")
-{
+TEST_CASE("the finer the lattice the milder the judgement: error, warning, note, nothing") {
     const auto with_radius = [](const std::string& radius) {
         return make_plan(discocyte({"vesicle[0].radius=" + radius, "lattice.size=[128,128,128]",
                                     "vesicle[0].centre=[64,64,64]", "vesicle_type.rbc.area.ramp=40000",
@@ -83,14 +75,13 @@ TEST_CASE("the finer the lattice the milder the judgement: error, warning, note,
     CHECK(says(all(with_radius("7"), Severity::error), key));
     CHECK(says(all(with_radius("13"), Severity::warning), key));
     CHECK(says(all(with_radius("16"), Severity::note), key));
-    const Plan fine = make_plan(discocyte({"vesicle[0].radius=21", "lattice.size=[128,128,128]",
-                                           "vesicle[0].centre=[64,64,64]", "vesicle_type.rbc.area.ramp=40000",
-                                           "run.steps=200000"}));
+    const Plan fine = make_plan(
+        discocyte({"vesicle[0].radius=21", "lattice.size=[128,128,128]", "vesicle[0].centre=[64,64,64]",
+                   "vesicle_type.rbc.area.ramp=40000", "run.steps=200000"}));
     CHECK_FALSE(says(all(fine, Severity::note), key));
 }
 
-TEST_CASE("a membrane as soft as the recolouring is refused unless its user knows")
-{
+TEST_CASE("a membrane as soft as the recolouring is refused unless its user knows") {
     const Case soft = discocyte({"vesicle_type.rbc.bending.modulus=0.0025"});
     const Plan refused = make_plan(soft);
     CHECK(says(all(refused, Severity::error), "vesicle_type.rbc.bending.modulus is 0.0025"));
@@ -100,8 +91,7 @@ TEST_CASE("a membrane as soft as the recolouring is refused unless its user know
     CHECK(says(all(accepted, Severity::warning), "vesicle_type.rbc.bending.modulus is 0.0025"));
 }
 
-TEST_CASE("a remark begins with its place in the case file")
-{
+TEST_CASE("a remark begins with its place in the case file") {
     const Plan plan = make_plan(discocyte({"vesicle_type.rbc.area.ramp=1000"}));
     const std::string warnings = all(plan, Severity::warning);
     CHECK(says(warnings, "vesicle_type.rbc.area.ramp is 1000"));
@@ -109,8 +99,7 @@ TEST_CASE("a remark begins with its place in the case file")
     CHECK(says(all(unperturbed, Severity::warning), "run.steps is 12000"));
 }
 
-TEST_CASE("vesicles that overlap are refused, those whose interfaces do are warned of")
-{
+TEST_CASE("vesicles that overlap are refused, those whose interfaces do are warned of") {
     const auto two = [](double distance) {
         Case what = discocyte();
         what.parameters.types[0].area.deflation.reset();
@@ -126,15 +115,13 @@ TEST_CASE("vesicles that overlap are refused, those whose interfaces do are warn
     CHECK(says(all(two(95.0), Severity::warning), "vesicle[0] and vesicle[1] are"));
 }
 
-TEST_CASE("a vesicle that meets its own image is refused")
-{
+TEST_CASE("a vesicle that meets its own image is refused") {
     Case what = discocyte();
     what.parameters.size = {64, 28, 64};
     CHECK(says(all(make_plan(what), Severity::error), "vesicle[0] and its own periodic image overlap"));
 }
 
-TEST_CASE("a steady criterion needs metrics often enough")
-{
+TEST_CASE("a steady criterion needs metrics often enough") {
     Case what = discocyte();
     what.output.metrics_every = 0;
     CHECK(says(all(make_plan(what), Severity::error), "output.metrics is missing"));
@@ -142,15 +129,13 @@ TEST_CASE("a steady criterion needs metrics often enough")
     CHECK(says(all(make_plan(what), Severity::error), "run.stop_when_steady.over is 2000"));
 }
 
-TEST_CASE("a case that needs more memory than there is is refused before it is built")
-{
+TEST_CASE("a case that needs more memory than there is is refused before it is built") {
     Case what = discocyte();
     what.parameters.size = {60000, 60000, 60000};
     CHECK(says(all(make_plan(what), Severity::error), "lattice.size"));
 }
 
-TEST_CASE("the cost of a large case is extrapolated from small boxes")
-{
+TEST_CASE("the cost of a large case is extrapolated from small boxes") {
     const auto factory = [](const Parameters& parameters, int) -> std::unique_ptr<Engine> {
         return std::make_unique<test::FakeEngine>(parameters);
     };
@@ -161,8 +146,7 @@ TEST_CASE("the cost of a large case is extrapolated from small boxes")
     CHECK_FALSE(measure_cost(large, what.run, what.output, 1, factory).of_this_case);
 }
 
-TEST_CASE("the plan reads side by side in lattice and SI units when the case has units")
-{
+TEST_CASE("the plan reads side by side in lattice and SI units when the case has units") {
     Case what = discocyte();
     what.scales = Scales{2e-7, 1e-8, 1000.0};
     const std::string text = plan_text(what, make_plan(what), std::nullopt, 1);
@@ -173,9 +157,8 @@ TEST_CASE("the plan reads side by side in lattice and SI units when the case has
     CHECK_FALSE(says(plan_text(what, make_plan(what), std::nullopt, 1), " um"));
 }
 
-TEST_CASE("what is not in the model is said")
-{
-    for (const char* missing : {"thermal noise", "area-difference elasticity", "adhesion", "osmosis",
-                                "shear elasticity"})
+TEST_CASE("what is not in the model is said") {
+    for (const char* missing :
+         {"thermal noise", "area-difference elasticity", "adhesion", "osmosis", "shear elasticity"})
         CHECK(says(model_text(), missing));
 }

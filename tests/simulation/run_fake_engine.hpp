@@ -10,7 +10,8 @@
 
 namespace vesica::test {
 
-/// Counts steps and shows one sphere at rest; breaks at a chosen step. Enough to test what surrounds an engine.
+/// Counts steps and shows one sphere at rest; breaks at a chosen step. Enough to test what surrounds an
+/// engine.
 class FakeEngine : public Engine {
 public:
     explicit FakeEngine(Parameters parameters) : parameters_(std::move(parameters)) {}
@@ -18,24 +19,23 @@ public:
     std::int64_t breaks_at = -1;
     std::function<void(std::int64_t)> after_step;
 
-    void step() override
-    {
+    void step() override {
         ++steps_;
-        if (after_step) after_step(steps_);
+        if (after_step)
+            after_step(steps_);
     }
     std::int64_t steps_done() const override { return steps_; }
 
-    Snapshot snapshot() const override
-    {
+    Snapshot snapshot() const override {
         Snapshot snapshot;
         snapshot.step = steps_;
         snapshot.max_speed = 1e-4;
-        for (const VesicleParameters& vesicle : parameters_.vesicles) snapshot.vesicles.push_back(sphere(vesicle));
+        for (const VesicleParameters& vesicle : parameters_.vesicles)
+            snapshot.vesicles.push_back(sphere(vesicle));
         return snapshot;
     }
 
-    DenseField field(std::string_view name) const override
-    {
+    DenseField field(std::string_view name) const override {
         DenseField field;
         field.size = parameters_.size;
         field.components = name == "velocity" || name == "force" ? 3 : 1;
@@ -46,19 +46,19 @@ public:
             std::size_t cell = 0;
             for (int z = 0; z < field.size.z; ++z)
                 for (int y = 0; y < field.size.y; ++y)
-                    for (int x = 0; x < field.size.x; ++x) field.values[cell++] = phase_at({x + 0.5, y + 0.5, z + 0.5});
+                    for (int x = 0; x < field.size.x; ++x)
+                        field.values[cell++] = phase_at({x + 0.5, y + 0.5, z + 0.5});
         }
         return field;
     }
 
-    std::optional<Trouble> trouble() const override
-    {
-        if (breaks_at < 0 || steps_ < breaks_at) return std::nullopt;
+    std::optional<Trouble> trouble() const override {
+        if (breaks_at < 0 || steps_ < breaks_at)
+            return std::nullopt;
         return Trouble{steps_, {1, 2, 3}, 0, "speed 0.91, expected less than 0.3"};
     }
 
-    EngineState save() const override
-    {
+    EngineState save() const override {
         EngineState state;
         state.step = steps_;
         state.precision = parameters_.numerics.precision;
@@ -78,8 +78,7 @@ public:
     std::string_view instruction_set() const override { return "baseline"; }
 
 private:
-    double phase_at(const Vec3<double>& position) const
-    {
+    double phase_at(const Vec3<double>& position) const {
         double phi = -1.0;
         for (const VesicleParameters& vesicle : parameters_.vesicles) {
             const double s = norm(position - vesicle.centre) - vesicle.radius;
@@ -88,8 +87,7 @@ private:
         return phi;
     }
 
-    VesicleSnapshot sphere(const VesicleParameters& vesicle) const
-    {
+    VesicleSnapshot sphere(const VesicleParameters& vesicle) const {
         VesicleSnapshot snapshot;
         const double beta = parameters_.fluid.segregation;
         snapshot.beta = beta;
@@ -100,7 +98,8 @@ private:
         const int reach = static_cast<int>(vesicle.radius) + 6;
         for (int z = -reach; z < reach; ++z)
             for (int y = -reach; y < reach; ++y) {
-                InsideSpan span{0, 0, y + static_cast<int>(vesicle.centre.y), z + static_cast<int>(vesicle.centre.z)};
+                InsideSpan span{0, 0, y + static_cast<int>(vesicle.centre.y),
+                                z + static_cast<int>(vesicle.centre.z)};
                 for (int x = -reach; x < reach; ++x) {
                     const Vec3<double> corner{std::floor(vesicle.centre.x), std::floor(vesicle.centre.y),
                                               std::floor(vesicle.centre.z)};
@@ -109,10 +108,12 @@ private:
                     const double r = norm(from);
                     const double s = r - vesicle.radius;
                     if (s < -5.0) {
-                        if (span.count == 0) span.begin = x + static_cast<int>(corner.x);
+                        if (span.count == 0)
+                            span.begin = x + static_cast<int>(corner.x);
                         ++span.count;
                     }
-                    if (std::abs(s) > 5.0) continue;
+                    if (std::abs(s) > 5.0)
+                        continue;
                     InterfaceCell cell;
                     cell.position = position;
                     cell.s = s;
@@ -128,7 +129,8 @@ private:
                     cell.has_geometry = true;
                     snapshot.cells.push_back(cell);
                 }
-                if (span.count > 0) snapshot.inside.push_back(span);
+                if (span.count > 0)
+                    snapshot.inside.push_back(span);
             }
         return snapshot;
     }
@@ -138,8 +140,7 @@ private:
 };
 
 /// One sphere in a small box.
-inline Parameters small_sphere()
-{
+inline Parameters small_sphere() {
     Parameters parameters;
     parameters.size = {32, 32, 32};
     VesicleType type;

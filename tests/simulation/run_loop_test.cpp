@@ -1,6 +1,5 @@
-#include "simulation/run_loop.hpp"
-
 #include "simulation/run_fake_engine.hpp"
+#include "simulation/run_loop.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -19,22 +18,20 @@ public:
     std::int64_t steady_from = -1;
     std::int64_t stop_from = -1;
 
-    void record(Event event, const Engine& engine) override
-    {
+    void record(Event event, const Engine& engine) override {
         recorded[event].push_back(engine.steps_done());
         order.push_back(event);
     }
     void progressed(std::int64_t step) override { steps = step; }
     bool is_steady() const override { return steady_from >= 0 && steps >= steady_from; }
-    std::optional<std::string> stop_reason() const override
-    {
-        if (stop_from < 0 || steps < stop_from) return std::nullopt;
+    std::optional<std::string> stop_reason() const override {
+        if (stop_from < 0 || steps < stop_from)
+            return std::nullopt;
         return "asked";
     }
 };
 
-Schedule schedule()
-{
+Schedule schedule() {
     OutputParameters output;
     output.metrics_every = 10;
     output.surfaces_every = 40;
@@ -46,8 +43,7 @@ Schedule schedule()
 
 using Steps = std::vector<std::int64_t>;
 
-TEST_CASE("a run records what is due, from step 0 to the last, and ends with metrics and a checkpoint")
-{
+TEST_CASE("a run records what is due, from step 0 to the last, and ends with metrics and a checkpoint") {
     FakeEngine engine(test::small_sphere());
     Notes notes;
     const LoopResult result = run_loop(engine, 45, schedule(), notes);
@@ -58,8 +54,7 @@ TEST_CASE("a run records what is due, from step 0 to the last, and ends with met
     CHECK(notes.recorded[Event::checkpoint] == Steps{20, 40, 45});
 }
 
-TEST_CASE("nothing is recorded twice when the last step is due anyway")
-{
+TEST_CASE("nothing is recorded twice when the last step is due anyway") {
     FakeEngine engine(test::small_sphere());
     Notes notes;
     run_loop(engine, 40, schedule(), notes);
@@ -67,8 +62,7 @@ TEST_CASE("nothing is recorded twice when the last step is due anyway")
     CHECK(notes.recorded[Event::checkpoint] == Steps{20, 40});
 }
 
-TEST_CASE("the checkpoint of a step follows everything else that the step owes")
-{
+TEST_CASE("the checkpoint of a step follows everything else that the step owes") {
     FakeEngine engine(test::small_sphere());
     Notes notes;
     run_loop(engine, 40, schedule(), notes);
@@ -77,8 +71,7 @@ TEST_CASE("the checkpoint of a step follows everything else that the step owes")
           std::vector<Event>{Event::metrics, Event::surfaces, Event::checkpoint});
 }
 
-TEST_CASE("two half runs record what one whole run records")
-{
+TEST_CASE("two half runs record what one whole run records") {
     FakeEngine engine(test::small_sphere());
     Notes notes;
     run_loop(engine, 40, schedule(), notes);
@@ -89,8 +82,7 @@ TEST_CASE("two half runs record what one whole run records")
     CHECK(notes.recorded == whole.recorded);
 }
 
-TEST_CASE("a request to stop lets the step finish and leaves a checkpoint, even if the case wants none")
-{
+TEST_CASE("a request to stop lets the step finish and leaves a checkpoint, even if the case wants none") {
     FakeEngine engine(test::small_sphere());
     Notes notes;
     notes.stop_from = 13;
@@ -102,16 +94,14 @@ TEST_CASE("a request to stop lets the step finish and leaves a checkpoint, even 
     CHECK(notes.recorded[Event::metrics].empty());
 }
 
-TEST_CASE("a run whose last step is done has finished, whoever asks it to stop")
-{
+TEST_CASE("a run whose last step is done has finished, whoever asks it to stop") {
     FakeEngine engine(test::small_sphere());
     Notes notes;
     notes.stop_from = 50;
     CHECK(run_loop(engine, 50, schedule(), notes).end == RunEnd::finished);
 }
 
-TEST_CASE("a steady run ends at the first metrics that are steady")
-{
+TEST_CASE("a steady run ends at the first metrics that are steady") {
     FakeEngine engine(test::small_sphere());
     Notes notes;
     notes.steady_from = 25;
@@ -121,8 +111,7 @@ TEST_CASE("a steady run ends at the first metrics that are steady")
     CHECK(notes.recorded[Event::checkpoint] == Steps{20, 30});
 }
 
-TEST_CASE("a broken state ends the run and is not recorded")
-{
+TEST_CASE("a broken state ends the run and is not recorded") {
     FakeEngine engine(test::small_sphere());
     engine.breaks_at = 33;
     Notes notes;
@@ -134,8 +123,7 @@ TEST_CASE("a broken state ends the run and is not recorded")
     CHECK(notes.recorded[Event::checkpoint] == Steps{20});
 }
 
-TEST_CASE("a state that breaks where nothing is due is found before the last record")
-{
+TEST_CASE("a state that breaks where nothing is due is found before the last record") {
     FakeEngine engine(test::small_sphere());
     engine.breaks_at = 45;
     Notes notes;

@@ -1,7 +1,6 @@
-#include "simulation/run_metrics.hpp"
-
 #include "core/input_error.hpp"
 #include "simulation/run_fake_engine.hpp"
+#include "simulation/run_metrics.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,8 +8,7 @@ using namespace vesica;
 
 namespace {
 
-Snapshot sphere_at(const Vec3<double>& centre, std::int64_t step, double radius = 8.0)
-{
+Snapshot sphere_at(const Vec3<double>& centre, std::int64_t step, double radius = 8.0) {
     Parameters parameters = test::small_sphere();
     parameters.vesicles[0].centre = centre;
     parameters.vesicles[0].radius = radius;
@@ -19,8 +17,7 @@ Snapshot sphere_at(const Vec3<double>& centre, std::int64_t step, double radius 
     return snapshot;
 }
 
-RunParameters until_steady(double relative_change, std::int64_t over)
-{
+RunParameters until_steady(double relative_change, std::int64_t over) {
     RunParameters run;
     run.steps = 1000000;
     run.stop_when_steady = SteadyCriterion{"area", relative_change, over};
@@ -29,8 +26,7 @@ RunParameters until_steady(double relative_change, std::int64_t over)
 
 } // namespace
 
-TEST_CASE("a centre goes on without a jump where the box ends")
-{
+TEST_CASE("a centre goes on without a jump where the box ends") {
     RunMetrics metrics(test::small_sphere(), {}, 10, sphere_at({16, 16, 16}, 0));
     double last = 16.0;
     metrics.sample(sphere_at({16, 16, 16}, 0));
@@ -43,8 +39,7 @@ TEST_CASE("a centre goes on without a jump where the box ends")
     }
 }
 
-TEST_CASE("steady is what has not changed for as long as asked, not what has not changed once")
-{
+TEST_CASE("steady is what has not changed for as long as asked, not what has not changed once") {
     RunMetrics metrics(test::small_sphere(), until_steady(1e-3, 100), 50, sphere_at({16, 16, 16}, 0));
     const auto sample = [&](std::int64_t step, double radius) {
         metrics.sample(sphere_at({16, 16, 16}, step, radius));
@@ -59,8 +54,7 @@ TEST_CASE("steady is what has not changed for as long as asked, not what has not
     CHECK(sample(300, 8.0));
 }
 
-TEST_CASE("nothing is steady while the target area still moves")
-{
+TEST_CASE("nothing is steady while the target area still moves") {
     Parameters parameters = test::small_sphere();
     parameters.types[0].area.deflation = 1.2;
     parameters.types[0].area.ramp = 1000;
@@ -73,8 +67,7 @@ TEST_CASE("nothing is steady while the target area still moves")
     CHECK(metrics.is_steady());
 }
 
-TEST_CASE("what is remembered survives a checkpoint")
-{
+TEST_CASE("what is remembered survives a checkpoint") {
     const Snapshot initial = sphere_at({16, 16, 16}, 0);
     RunMetrics whole(test::small_sphere(), until_steady(1e-3, 100), 50, initial);
     whole.sample(initial);
@@ -95,8 +88,7 @@ TEST_CASE("what is remembered survives a checkpoint")
     CHECK(resumed.is_steady());
 }
 
-TEST_CASE("the memory of another case is refused")
-{
+TEST_CASE("the memory of another case is refused") {
     RunMetrics metrics(test::small_sphere(), {}, 10, sphere_at({16, 16, 16}, 0));
     CHECK_THROWS_AS(metrics.restore({}), RunError);
     CHECK_THROWS_AS(metrics.restore({{"colour_mass", {1.0, 2.0}}, {"diameter", {1.0, 2.0}}}), RunError);

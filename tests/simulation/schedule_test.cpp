@@ -6,8 +6,7 @@ using namespace vesica;
 
 namespace {
 
-OutputParameters output()
-{
+OutputParameters output() {
     OutputParameters output;
     output.metrics_every = 20;
     output.surfaces_every = 50;
@@ -17,8 +16,7 @@ OutputParameters output()
 
 } // namespace
 
-TEST_CASE("an event falls due at every multiple of its period and at no other step")
-{
+TEST_CASE("an event falls due at every multiple of its period and at no other step") {
     const Schedule schedule(output());
     for (std::int64_t step = 1; step <= 200; ++step) {
         REQUIRE(schedule.due(Event::metrics, step) == (step % 20 == 0));
@@ -27,34 +25,31 @@ TEST_CASE("an event falls due at every multiple of its period and at no other st
     }
 }
 
-TEST_CASE("the initial state is recorded but not checkpointed")
-{
+TEST_CASE("the initial state is recorded but not checkpointed") {
     const Schedule schedule(output());
     CHECK(schedule.due(Event::metrics, 0));
     CHECK(schedule.due(Event::surfaces, 0));
     CHECK_FALSE(schedule.due(Event::checkpoint, 0));
 }
 
-TEST_CASE("what the case does not ask for never falls due")
-{
+TEST_CASE("what the case does not ask for never falls due") {
     const Schedule schedule(OutputParameters{});
     for (std::int64_t step = 0; step < 1000; ++step)
         for (const Event event : all_events) {
-            if (event == Event::trouble) continue;
+            if (event == Event::trouble)
+                continue;
             REQUIRE_FALSE(schedule.due(event, step));
         }
 }
 
-TEST_CASE("trouble is looked for whatever the case asks for")
-{
+TEST_CASE("trouble is looked for whatever the case asks for") {
     const Schedule schedule(OutputParameters{});
     CHECK(schedule.due(Event::trouble, 100));
     CHECK(schedule.anything_due(100));
     CHECK_FALSE(schedule.anything_due(101));
 }
 
-TEST_CASE("samples for an average fall due between two outputs of fields, and at the outputs")
-{
+TEST_CASE("samples for an average fall due between two outputs of fields, and at the outputs") {
     OutputParameters averaged;
     averaged.fields = FieldOutput{};
     averaged.fields->every = 1000;

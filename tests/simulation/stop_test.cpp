@@ -1,16 +1,15 @@
 #include "simulation/stop.hpp"
 
 #include <catch2/catch.hpp>
-
 #include <sys/wait.h>
 #include <unistd.h>
 
 using namespace vesica;
 using namespace std::chrono_literals;
 
-TEST_CASE("each of the three signals asks for a stop instead of ending the process")
-{
-    const std::pair<int, const char*> signals[] = {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGUSR1, "SIGUSR1"}};
+TEST_CASE("each of the three signals asks for a stop instead of ending the process") {
+    const std::pair<int, const char*> signals[] = {
+        {SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGUSR1, "SIGUSR1"}};
     for (const auto& [number, name] : signals) {
         const StopSignals listening;
         const StopRequest request(std::nullopt, StopRequest::Clock::now());
@@ -22,8 +21,7 @@ TEST_CASE("each of the three signals asks for a stop instead of ending the proce
     }
 }
 
-TEST_CASE("a second SIGINT ends the process at once")
-{
+TEST_CASE("a second SIGINT ends the process at once") {
     const pid_t child = fork();
     if (child == 0) {
         const StopSignals listening;
@@ -37,8 +35,7 @@ TEST_CASE("a second SIGINT ends the process at once")
     CHECK(WTERMSIG(status) == SIGINT);
 }
 
-TEST_CASE("the actions of before are back when the listening ends")
-{
+TEST_CASE("the actions of before are back when the listening ends") {
     struct sigaction before {};
     struct sigaction during {};
     struct sigaction after {};
@@ -52,8 +49,7 @@ TEST_CASE("the actions of before are back when the listening ends")
     CHECK(before.sa_handler == after.sa_handler);
 }
 
-TEST_CASE("the wall time stops a run when it is used up, not before")
-{
+TEST_CASE("the wall time stops a run when it is used up, not before") {
     const StopRequest::Clock::time_point begin{};
     const StopRequest request(10.0, begin);
     CHECK_FALSE(request.reason(begin + 9999ms));
