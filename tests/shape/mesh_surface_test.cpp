@@ -9,6 +9,42 @@
 using namespace vesica;
 using std::numbers::pi;
 
+namespace {
+
+/// Two cones of the given half height on one ring, most of whose points crowd around one azimuth.
+TriangleMesh crowded_double_cone(double half_height) {
+    TriangleMesh mesh;
+    mesh.vertices = {{0.0, 0.0, half_height}, {0.0, 0.0, -half_height}};
+    constexpr int count = 20;
+    for (int i = 0; i < count; ++i) {
+        const double azimuth = i < count - 3 ? 0.02 * i : pi / 2.0 * (i - count + 4);
+        mesh.vertices.push_back({std::cos(azimuth), std::sin(azimuth), 0.0});
+    }
+    for (int i = 0; i < count; ++i) {
+        const int here = 2 + i, next = 2 + (i + 1) % count;
+        mesh.triangles.push_back({0, here, next});
+        mesh.triangles.push_back({1, next, here});
+    }
+    return mesh;
+}
+
+/// How often the mesh winds around a point: the solid angles of its triangles over 4 pi (Van Oosterom &
+/// Strackee 1983). One inside, zero outside.
+double winding_number(const TriangleMesh& mesh, const Vec3<double>& p) {
+    double sum = 0.0;
+    for (const auto& t : mesh.triangles) {
+        const Vec3<double> a = mesh.vertices[static_cast<std::size_t>(t[0])] - p;
+        const Vec3<double> b = mesh.vertices[static_cast<std::size_t>(t[1])] - p;
+        const Vec3<double> c = mesh.vertices[static_cast<std::size_t>(t[2])] - p;
+        const double la = norm(a), lb = norm(b), lc = norm(c);
+        sum += 2.0 * std::atan2(dot(a, cross(b, c)),
+                                la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    }
+    return sum / (4.0 * pi);
+}
+
+} // namespace
+
 TEST_CASE("A cube's distance is exact at faces, edges and corners, inside and outside") {
     const MeshSurface shape(cube(), 0.0);
     const auto exact = [](const Vec3<double>& p) {
@@ -68,4 +104,21 @@ TEST_CASE("The distance to a mesh has gradient one and the side's sign in a dent
     CHECK(shape.signed_distance({0.0, 0.0, 0.0}) < 0.0);
     CHECK(shape.signed_distance({0.0, 0.0, 6.0}) > 0.0);
     CHECK(shape.signed_distance({100.0, 0.0, 0.0}) > Shape::reach);
+}
+
+TEST_CASE("The sign is right around sharp corners and rims, whatever the shapes of their triangles") {
+    for (const double half_height : {0.02, 0.3, 3.0}) {
+        const TriangleMesh mesh = normalised(crowded_double_cone(half_height), 0.0);
+        const MeshSurface shape(mesh, 0.0);
+        REQUIRE(shape.volume() > 0.0);
+        int inside = 0;
+        for (const Vec3<double>& corner : mesh.vertices)
+            for (const Vec3<double>& u : directions(200)) {
+                const Vec3<double> x = corner + 0.05 * u;
+                const bool expected = winding_number(mesh, x) > 0.5;
+                inside += expected;
+                CHECK((shape.signed_distance(x) < 0.0) == expected);
+            }
+        CHECK(inside > 10);
+    }
 }
