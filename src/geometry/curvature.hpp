@@ -11,14 +11,17 @@ struct Curvatures {
     V K{};
 };
 
-/// From G_ij = d_j n_i alone: W = P G P with P = 1 - n n, H = tr W/2, K = [(tr W)^2 - tr(W W)]/2.
+/// From G_ij = d_j n_i alone: W = P G P with P = 1 - n n, H = div n/2, K = [(tr W)^2 - tr(W W)]/2.
+/// For exact derivatives div n = tr W. Of the lattice's leading error, (1/6) Lap n, the divergence of a
+/// sphere's normals sees nothing, while tr W would make H low by 1/(3 R^2). For K the projected form is the
+/// better one: its integral over a closed surface stays near 4 pi (1 - genus).
 template <class V>
-[[gnu::always_inline]] inline Curvatures<V> curvatures_of(const Jacobian<V>& G, const Vec3<V>& n)
-{
-    // a_i = n_j d_j n_i and b_j = n_i d_j n_i are zero for exact unit normals along straight lines; on a lattice
-    // the projection takes out what is left of them.
+[[gnu::always_inline]] inline Curvatures<V> curvatures_of(const Jacobian<V>& G, const Vec3<V>& n) {
+    // a_i = n_j d_j n_i and b_j = n_i d_j n_i are zero for exact unit normals along straight lines; on a
+    // lattice the projection takes out what is left of them.
     const Vec3<V> a{dot(G.x, n), dot(G.y, n), dot(G.z, n)};
-    const Vec3<V> b{fma(G.x.x, n.x, fma(G.y.x, n.y, G.z.x * n.z)), fma(G.x.y, n.x, fma(G.y.y, n.y, G.z.y * n.z)),
+    const Vec3<V> b{fma(G.x.x, n.x, fma(G.y.x, n.y, G.z.x * n.z)),
+                    fma(G.x.y, n.x, fma(G.y.y, n.y, G.z.y * n.z)),
                     fma(G.x.z, n.x, fma(G.y.z, n.y, G.z.z * n.z))};
     const V c = dot(a, n);
     const auto project = [&](const V& entry, int i, int j) {
@@ -34,22 +37,21 @@ template <class V>
     const V zy = project(G.z.y, 2, 1);
     const V zz = project(G.z.z, 2, 2);
     const V trace = xx + yy + zz;
+    const V divergence = G.divergence();
     const V trace_of_square = xx * xx + yy * yy + zz * zz + V(2) * (xy * yx + xz * zx + yz * zy);
-    return {V(0.5) * trace, V(0.5) * (trace * trace - trace_of_square)};
+    return {V(0.5) * divergence, V(0.5) * (trace * trace - trace_of_square)};
 }
 
 /// Area of phi = 0 per area of the parallel surface through a cell at signed distance s from it:
 /// J = 1 - 2 s H + s^2 K, exact for parallel surfaces.
 template <class V>
-[[gnu::always_inline]] inline V area_to_mid_surface(const Curvatures<V>& c, const V& s)
-{
+[[gnu::always_inline]] inline V area_to_mid_surface(const Curvatures<V>& c, const V& s) {
     return fma(s * s, c.K, fma(V(-2) * s, c.H, V(1)));
 }
 
 /// The curvatures of phi = 0 on the normal through a cell: H0 = (H - s K)/J, K0 = K/J.
 template <class V>
-[[gnu::always_inline]] inline Curvatures<V> map_to_mid_surface(const Curvatures<V>& c, const V& s)
-{
+[[gnu::always_inline]] inline Curvatures<V> map_to_mid_surface(const Curvatures<V>& c, const V& s) {
     const V inverse = V(1) / area_to_mid_surface(c, s);
     return {inverse * fma(-s, c.K, c.H), inverse * c.K};
 }

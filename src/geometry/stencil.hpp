@@ -9,8 +9,7 @@ namespace vesica {
 /// d_a q = 3 sum_i t_i q(x + c_i) c_ia, second order with an isotropic leading error (1/6) d_a Lap q.
 /// `q(Direction<i>{})` is the value at x + c_i.
 template <class V, class Around>
-[[gnu::always_inline]] inline Vec3<V> gradient(const Around& q)
-{
+[[gnu::always_inline]] inline Vec3<V> gradient(const Around& q) {
     Vec3<V> axial;
     Vec3<V> diagonal;
     for_each_pair([&](auto i) {
@@ -20,12 +19,18 @@ template <class V, class Around>
         constexpr int cz = velocity(head, 2);
         const V difference = q(Direction<head>{}) - q(Direction<opposite(head)>{});
         Vec3<V>& sum = cx * cx + cy * cy + cz * cz == 1 ? axial : diagonal;
-        if constexpr (cx == 1) sum.x += difference;
-        if constexpr (cx == -1) sum.x -= difference;
-        if constexpr (cy == 1) sum.y += difference;
-        if constexpr (cy == -1) sum.y -= difference;
-        if constexpr (cz == 1) sum.z += difference;
-        if constexpr (cz == -1) sum.z -= difference;
+        if constexpr (cx == 1)
+            sum.x += difference;
+        if constexpr (cx == -1)
+            sum.x -= difference;
+        if constexpr (cy == 1)
+            sum.y += difference;
+        if constexpr (cy == -1)
+            sum.y -= difference;
+        if constexpr (cz == 1)
+            sum.z += difference;
+        if constexpr (cz == -1)
+            sum.z -= difference;
     });
     constexpr double near = 3.0 / 18.0;
     constexpr double far = 3.0 / 36.0;
@@ -35,19 +40,28 @@ template <class V, class Around>
 
 /// Lap q = 6 sum_i t_i (q(x + c_i) - q(x)), second order and isotropic.
 template <class V, class Around>
-[[gnu::always_inline]] inline V laplacian(const Around& q)
-{
+[[gnu::always_inline]] inline V laplacian(const Around& q) {
     V near = V(0);
     V far = V(0);
     for_each_pair([&](auto i) {
         constexpr int head = decltype(i)::value;
         const V sum = q(Direction<head>{}) + q(Direction<opposite(head)>{});
-        if constexpr (detail::squared_speed(head) == 1) near += sum;
-        else far += sum;
+        if constexpr (detail::squared_speed(head) == 1)
+            near += sum;
+        else
+            far += sum;
     });
     constexpr double near_weight = 6.0 / 18.0;
     constexpr double far_weight = 6.0 / 36.0;
-    return fma(V(near_weight), near, fma(V(far_weight), far, V(-6.0 * (1.0 - 1.0 / 3.0)) * q(Direction<0>{})));
+    return fma(V(near_weight), near,
+               fma(V(far_weight), far, V(-6.0 * (1.0 - 1.0 / 3.0)) * q(Direction<0>{})));
+}
+
+/// q - (order/6) Lap q: makes up in advance for the leading error of `order` applications of gradient(), each
+/// of which sees q + (1/6) Lap q.
+template <class V, class Around>
+[[gnu::always_inline]] inline V sharpened(const Around& q, double order) {
+    return fma(V(-order / 6.0), laplacian<V>(q), q(Direction<0>{}));
 }
 
 /// The gradients of the three components of a vector field: rows[i] = grad q_i, so rows[i][j] = d_j q_i.
@@ -64,8 +78,7 @@ struct Jacobian {
 
 /// `q` gives a Vec3 of neighbourhoods, one per component.
 template <class V, class Around>
-[[gnu::always_inline]] inline Jacobian<V> jacobian(const Vec3<Around>& q)
-{
+[[gnu::always_inline]] inline Jacobian<V> jacobian(const Vec3<Around>& q) {
     return {gradient<V>(q.x), gradient<V>(q.y), gradient<V>(q.z)};
 }
 

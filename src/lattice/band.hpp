@@ -9,7 +9,7 @@ namespace vesica {
 
 /// One tile of a band: eight cells of which some belong to it.
 struct BandTile {
-    static constexpr int levels = 8;
+    static constexpr int levels = 10;
 
     std::int64_t cell = 0;      ///< index of its first cell in the grid
     std::int64_t tile = 0;      ///< index of the tile in the grid

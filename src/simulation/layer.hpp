@@ -20,27 +20,27 @@
 
 namespace vesica {
 
-/// How far each quantity reaches beyond the cells that had a force when the band was last laid out (level 0). Level 1
-/// is room to move: the band is laid out anew when the core leaves it. Each derivative asks for one level more of
-/// what it differentiates.
+/// How far each quantity reaches beyond the cells that had a force when the band was last laid out (level 0).
+/// Level 1 is room to move: the band is laid out anew when the core leaves it. Each derivative asks for one
+/// level more of what it differentiates.
 namespace reach {
 inline constexpr int force = 1;
 inline constexpr int slope = 2;
 inline constexpr int curvature = 3;
-inline constexpr int normal = 5;    ///< curvatures ask for level 4; recolouring wants one more
-inline constexpr int colour = 5;    ///< cells that may hold both colours
-inline constexpr int receiving = 6; ///< cells that colour may leak into within a step, swept at once
+inline constexpr int raw_curvature = 4; ///< sharpening asks for one level more as well
+inline constexpr int colour = 7;        ///< cells that may hold both colours: normals at 5, sharpened s at 6
+inline constexpr int receiving = 8;     ///< cells that colour may leak into within a step, swept at once
 } // namespace reach
 
 /// Sums over a layer, independent of the order they are made in.
 struct LayerSums {
-    double raw_area = 0.0;          ///< sum (beta/2)(1 - phi^2)
-    double gaussian_curvature = 0.0; ///< int K dA
+    double raw_area = 0.0;              ///< sum (beta/2)(1 - phi^2)
+    double gaussian_curvature = 0.0;    ///< int K dA
     double square_mean_curvature = 0.0; ///< int H^2 dA
 };
 
-/// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step is
-/// transport, locate, normals, curvatures, slopes, forces, each a pass over the tiles of its level.
+/// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step
+/// is transport, locate, normals, curvatures, slopes, forces, each a pass over the tiles of its level.
 template <class Real>
 class Layer {
 public:
@@ -51,9 +51,7 @@ public:
           spread_force_(settings.cutoff),
           band_(grid),
           inside_(static_cast<std::size_t>(grid.tiles()), 0),
-          force_slots_(static_cast<std::size_t>(grid.tiles()), -1)
-    {
-    }
+          force_slots_(static_cast<std::size_t>(grid.tiles()), -1) {}
 
     const Band& band() const { return band_; }
     const LayerFields<Real>& fields() const { return fields_; }
@@ -65,50 +63,50 @@ public:
     const LayerSettings& settings() const { return settings_; }
     bool empty() const { return band_.tiles().empty(); }
 
-    std::size_t bytes() const
-    {
+    std::size_t bytes() const {
         return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
                (force_slots_.capacity() + core_bits_.capacity()) * sizeof(std::int32_t);
     }
 
-    /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid index, and
-    /// `inside` says which side every cell lies on.
+    /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid
+    /// index, and `inside` says which side every cell lies on.
     template <class ChiAt>
-    void place(const std::vector<Band::Seed>& core, const ChiAt& chi_at, std::vector<std::uint8_t> inside)
-    {
+    void place(const std::vector<Band::Seed>& core, const ChiAt& chi_at, std::vector<std::uint8_t> inside) {
         inside_ = std::move(inside);
         lay_out(core);
         for (const BandTile& t : band_.tiles())
             for (int k = 0; k < tile_width; ++k) {
                 Real& chi = fields_.chi[at(t.slot() + k)];
                 const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
-                chi = (t.bits[reach::colour] >> k & 1) != 0 ? chi_at(t.cell + k) : with_sign_bit(red, Real(0));
+                chi =
+                    (t.bits[reach::colour] >> k & 1) != 0 ? chi_at(t.cell + k) : with_sign_bit(red, Real(0));
             }
     }
 
     /// The colours move with the populations that have just been streamed.
-    void transport(const PopulationView<Real>& f, Streaming streaming, int threads)
-    {
-        if (streaming == Streaming::arrived) transport_from<Streaming::arrived>(f, threads);
-        else transport_from<Streaming::turned>(f, threads);
+    void transport(const PopulationView<Real>& f, Streaming streaming, int threads) {
+        if (streaming == Streaming::arrived)
+            transport_from<Streaming::arrived>(f, threads);
+        else
+            transport_from<Streaming::turned>(f, threads);
         std::swap(fields_.chi, fields_.next);
     }
 
     /// Density of every cell that needs it, from the populations; transport() does the same on its way.
-    void weigh(const PopulationView<Real>& f, Streaming streaming, int threads)
-    {
+    void weigh(const PopulationView<Real>& f, Streaming streaming, int threads) {
         for_tiles(reach::receiving, threads, [&](const BandTile& t) {
             V g[direction_count];
-            for (int i = 0; i < direction_count; ++i) g[i] = load_shifted(f, streaming, i, t.cell);
+            for (int i = 0; i < direction_count; ++i)
+                g[i] = load_shifted(f, streaming, i, t.cell);
             density_of(g).store(fields_.density.data() + t.slot());
         });
     }
 
     /// Where the surface is: s, the layer's area, and whether the core has left its place.
     /// What leaked out of the band is given back, in proportion to 1 - phi^2: mass is exact.
-    void locate(int threads)
-    {
-        constexpr double purest = 1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
+    void locate(int threads) {
+        constexpr double purest =
+            1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
         const V correction = V(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
         std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
         core_bits_.resize(band_.tiles().size());
@@ -116,8 +114,10 @@ public:
             const V density = V::load(fields_.density.data() + t.slot());
             V chi = V::load(fields_.chi.data() + t.slot());
             const auto holds_both = V::mask(t.bits[reach::colour]);
-            // The side stays as it is: a pure red cell is -0, and -0 plus a zero share of the correction would be +0, blue.
-            const V corrected = with_sign_bit<Real>(sign_bit(chi), chi + correction * layer_density(chi) / density);
+            // The side stays as it is: a pure red cell is -0, and -0 plus a zero share of the correction
+            // would be +0, blue.
+            const V corrected =
+                with_sign_bit<Real>(sign_bit(chi), chi + correction * layer_density(chi) / density);
             chi = select<Real>(holds_both, corrected, chi);
             chi.store(fields_.chi.data() + t.slot());
             signed_distance_of(chi, V(purest), settings_.beta).store(fields_.s.data() + t.slot());
@@ -130,20 +130,20 @@ public:
         exchange({&fields_.chi, &fields_.s});
     }
 
-    bool core_has_left() const
-    {
+    bool core_has_left() const {
         for (std::size_t k = 0; k < core_bits_.size(); ++k)
-            if ((core_bits_[k] & ~band_.tiles()[k].bits[reach::force]) != 0) return true;
+            if ((core_bits_[k] & ~band_.tiles()[k].bits[reach::force]) != 0)
+                return true;
         return false;
     }
 
-    /// Lays the band out around where the core is now. Colours stay; what the band lets go of is given back by the
-    /// next locate().
-    void follow_core(const PopulationView<Real>& f, Streaming streaming, int threads)
-    {
+    /// Lays the band out around where the core is now. Colours stay; what the band lets go of is given back
+    /// by the next locate().
+    void follow_core(const PopulationView<Real>& f, Streaming streaming, int threads) {
         std::vector<Band::Seed> core;
         for (std::size_t k = 0; k < core_bits_.size(); ++k)
-            if (core_bits_[k] != 0) core.push_back({band_.tiles()[k].tile, core_bits_[k]});
+            if (core_bits_[k] != 0)
+                core.push_back({band_.tiles()[k].tile, core_bits_[k]});
 
         const std::vector<BandTile> old_tiles = band_.tiles();
         const std::vector<Real> old_chi = fields_.chi;
@@ -172,9 +172,15 @@ public:
     }
 
     /// n = grad s/|grad s| (mapped) or -grad phi/|grad phi| (paper), and the segregation flux.
-    void normals(int threads)
-    {
-        for_tiles(reach::normal, threads, [&](const BandTile& t) {
+    void normals(int threads) {
+        if (mapped()) {
+            for_tiles(reach::colour, threads, [&](const BandTile& t) {
+                sharpened<V>(TileAround<Real>{fields_.s.data(), t.rows}, 1.0)
+                    .store(fields_.sharp.data() + t.slot());
+            });
+            exchange({&fields_.sharp});
+        }
+        for_tiles(reach::colour, threads, [&](const BandTile& t) {
             const Vec3<V> n = unit_vector(outward_gradient(t));
             const V chi = V::load(fields_.chi.data() + t.slot());
             const V density = V::load(fields_.density.data() + t.slot());
@@ -185,78 +191,90 @@ public:
     }
 
     /// H and K from the normals' derivatives, mapped to phi = 0.
-    void curvatures(int threads)
-    {
+    void curvatures(int threads) {
         std::vector<LaneSum<38>> gaussian(static_cast<std::size_t>(threads));
         std::vector<LaneSum<38>> square(static_cast<std::size_t>(threads));
-        for_tiles(reach::curvature, threads, [&](const BandTile& t, std::size_t, int thread) {
+        for_tiles(reach::raw_curvature, threads, [&](const BandTile& t, std::size_t, int thread) {
             const Vec3<V> n = load(fields_.n, t);
             const Jacobian<V> G = jacobian<V>(around(fields_.n, t));
             const V s = V::load(fields_.s.data() + t.slot());
-            const bool mapped = settings_.recipe == GeometryRecipe::mapped;
-            const Curvatures<V> here = mapped ? curvatures_of(G, n) : paper_curvatures_of(G, n);
-            const Curvatures<V> surface = mapped ? map_to_mid_surface(here, s) : here;
+            const Curvatures<V> here = mapped() ? curvatures_of(G, n) : paper_curvatures_of(G, n);
+            const Curvatures<V> surface = mapped() ? map_to_mid_surface(here, s) : here;
+            surface.H.store(fields_.raw_H0.data() + t.slot());
             surface.H.store(fields_.H0.data() + t.slot());
             surface.K.store(fields_.K0.data() + t.slot());
-            (mapped ? area_to_mid_surface(here, s) : V(1)).store(fields_.J.data() + t.slot());
+            (mapped() ? area_to_mid_surface(here, s) : V(1)).store(fields_.J.data() + t.slot());
             const V weight = V(0.5 * settings_.beta) * layer_density(V::load(fields_.chi.data() + t.slot()));
-            const auto counted = V::mask(t.bits[reach::curvature]);
+            const auto counted = V::mask(t.bits[reach::raw_curvature]);
             gaussian[at(thread)].add(select<Real>(counted, weight * here.K, V(0)));
-            square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
+            square[at(thread)].add(select<Real>(counted, weight * surface.H * surface.H, V(0)));
         });
         sums_.gaussian_curvature = merged(gaussian);
         sums_.square_mean_curvature = merged(square);
-        exchange({&fields_.H0});
+        exchange({&fields_.raw_H0});
+        if (!mapped())
+            return;
+        for_tiles(reach::curvature, threads, [&](const BandTile& t) {
+            const TileAround<Real> H{fields_.raw_H0.data(), t.rows};
+            sharpened<V>(H, 1.0).store(fields_.H0.data() + t.slot());    // the derivative that made H of n
+            sharpened<V>(H, 3.0).store(fields_.sharp.data() + t.slot()); // and the two that make Lap_s H of H
+        });
+        exchange({&fields_.sharp});
     }
 
     /// grad H0 along the surface.
-    void slopes(int threads)
-    {
+    void slopes(int threads) {
         for_tiles(reach::slope, threads, [&](const BandTile& t) {
-            const Vec3<V> g = gradient<V>(TileAround<Real>{fields_.H0.data(), t.rows});
-            const bool mapped = settings_.recipe == GeometryRecipe::mapped;
-            store(mapped ? tangential(g, load(fields_.n, t)) : g, fields_.g, t);
+            if (!mapped()) {
+                store(gradient<V>(TileAround<Real>{fields_.raw_H0.data(), t.rows}), fields_.g, t);
+                return;
+            }
+            const Vec3<V> n = load(fields_.n, t);
+            const Vec3<V> g = tangential(gradient<V>(TileAround<Real>{fields_.sharp.data(), t.rows}), n);
+            const V s = V::load(fields_.s.data() + t.slot());
+            const V J = V::load(fields_.J.data() + t.slot());
+            store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, J), fields_.g, t);
         });
         exchange({&fields_.g[0], &fields_.g[1], &fields_.g[2]});
     }
 
-    V laplace_beltrami_of_H(const BandTile& t) const
-    {
+    V laplace_beltrami_of_H(const BandTile& t) const {
         const Vec3<V> n = load(fields_.n, t);
         const Jacobian<V> d = jacobian<V>(around(fields_.g, t));
-        if (settings_.recipe == GeometryRecipe::mapped) return surface_divergence(d, n);
-        const TileAround<Real> H{fields_.H0.data(), t.rows};
+        if (mapped())
+            return surface_divergence(d, n) / V::load(fields_.J.data() + t.slot());
+        const TileAround<Real> H{fields_.raw_H0.data(), t.rows};
         return paper_laplace_beltrami(laplacian<V>(H), d, load(fields_.g, t), n, H(Direction<0>{}));
     }
 
     /// Membrane forces, spread over the layer.
-    void forces(const Membrane& membrane, int threads)
-    {
+    void forces(const Membrane& membrane, int threads) {
         std::visit([&](const auto& bending) { forces_of(bending, TensionLaw{membrane.tension()}, threads); },
                    membrane.bending);
     }
 
-    Vec3<V> phase_gradient(const BandTile& t) const
-    {
+    Vec3<V> phase_gradient(const BandTile& t) const {
         return gradient<V>(PhaseAround<Real>{{fields_.chi.data(), t.rows}});
     }
 
-    VESICA_INLINE static Vec3<V> load(const std::vector<Real> (&a)[3], const BandTile& t)
-    {
-        return {V::load(a[0].data() + t.slot()), V::load(a[1].data() + t.slot()), V::load(a[2].data() + t.slot())};
+    VESICA_INLINE static Vec3<V> load(const std::vector<Real> (&a)[3], const BandTile& t) {
+        return {V::load(a[0].data() + t.slot()), V::load(a[1].data() + t.slot()),
+                V::load(a[2].data() + t.slot())};
     }
 
 private:
     template <class Bending>
-    void forces_of(const Bending& bending, const TensionLaw& tension, int threads)
-    {
+    void forces_of(const Bending& bending, const TensionLaw& tension, int threads) {
         const FieldView<Real> force = force_.view();
         for_tiles(reach::force, threads, [&](const BandTile& t) {
             const V H = V::load(fields_.H0.data() + t.slot());
             const V K = V::load(fields_.K0.data() + t.slot());
             const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
             const V layer = layer_density(V::load(fields_.chi.data() + t.slot()));
-            const Vec3<V> F = spread_force_(layer, phase_gradient(t), normal_force);
+            // J carries the mid-surface's force onto the parallel surface through the cell (one in the
+            // paper's recipe).
+            const V J = V::load(fields_.J.data() + t.slot());
+            const Vec3<V> F = spread_force_(layer, phase_gradient(t), J * normal_force);
             const auto here = V::mask(t.bits[reach::force]);
             select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
             select<Real>(here, F.y, V(0)).store(force.component(1) + t.slot());
@@ -264,41 +282,39 @@ private:
         });
     }
 
+    bool mapped() const { return settings_.recipe == GeometryRecipe::mapped; }
+
     static std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
-    static std::uint8_t bits_of(const typename V::Mask& mask)
-    {
+    static std::uint8_t bits_of(const typename V::Mask& mask) {
         unsigned bits = 0;
-        for (int k = 0; k < tile_width; ++k) bits |= (mask[k] ? 1u : 0u) << k;
+        for (int k = 0; k < tile_width; ++k)
+            bits |= (mask[k] ? 1u : 0u) << k;
         return static_cast<std::uint8_t>(bits);
     }
 
-    V density_of(const V (&g)[direction_count]) const
-    {
+    V density_of(const V (&g)[direction_count]) const {
         V sum = g[0];
         for_each_pair([&](auto i) { sum += g[i] + g[opposite(decltype(i)::value)]; });
         return V(settings_.reference_density) + sum;
     }
 
-    static V load_shifted(const PopulationView<Real>& f, Streaming streaming, int i, std::int64_t cell)
-    {
+    static V load_shifted(const PopulationView<Real>& f, Streaming streaming, int i, std::int64_t cell) {
         return V::load(f.find(streaming, i, cell));
     }
 
     template <Streaming streaming>
-    void transport_from(const PopulationView<Real>& f, int threads)
-    {
+    void transport_from(const PopulationView<Real>& f, int threads) {
         std::vector<LaneSum<58>> leaked(static_cast<std::size_t>(threads));
         std::vector<LaneSum<38>> layer(static_cast<std::size_t>(threads));
         const Vec3<const Real*> w{fields_.w[0].data(), fields_.w[1].data(), fields_.w[2].data()};
         for_tiles(reach::receiving, threads, [&](const BandTile& t, std::size_t, int thread) {
             V g[direction_count];
-            for_each_direction([&](auto i) {
-                g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
-            });
+            for_each_direction(
+                [&](auto i) { g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell)); });
             const ColourDensities<V> arrived =
-                gather_colours(g, V(settings_.reference_density), TileAround<Real>{fields_.chi.data(), t.rows},
-                               FluxAround<Real>{w, t.rows});
+                gather_colours(g, V(settings_.reference_density),
+                               TileAround<Real>{fields_.chi.data(), t.rows}, FluxAround<Real>{w, t.rows});
             const V density = density_of(g);
             const auto blue_is_minor = arrived.blue < arrived.red;
             const V minority = smaller(arrived.red, arrived.blue);
@@ -310,7 +326,8 @@ private:
             leaked[at(thread)].add(select<Real>(received, select<Real>(blue_is_minor, -gone, gone), V(0)));
             const V chi = with_sign_bit<Real>(blue_is_minor, stays / density);
             layer[at(thread)].add(select<Real>(holds_both, layer_density(chi), V(0)));
-            select<Real>(received, chi, V::load(fields_.chi.data() + t.slot())).store(fields_.next.data() + t.slot());
+            select<Real>(received, chi, V::load(fields_.chi.data() + t.slot()))
+                .store(fields_.next.data() + t.slot());
             density.store(fields_.density.data() + t.slot());
         });
         // Cells of the outermost level never change: they carry over.
@@ -321,26 +338,26 @@ private:
         layer_sum_ = merged(layer);
     }
 
-    Vec3<V> outward_gradient(const BandTile& t) const
-    {
-        if (settings_.recipe == GeometryRecipe::mapped) return gradient<V>(TileAround<Real>{fields_.s.data(), t.rows});
+    Vec3<V> outward_gradient(const BandTile& t) const {
+        if (mapped())
+            return gradient<V>(TileAround<Real>{fields_.sharp.data(), t.rows});
         return -phase_gradient(t);
     }
 
-    void set_side(std::int64_t tile, int k, bool red)
-    {
+    void set_side(std::int64_t tile, int k, bool red) {
         const auto bit = static_cast<std::uint8_t>(1u << k);
         std::uint8_t& bits = inside_[at(tile)];
         bits = static_cast<std::uint8_t>(red ? bits | bit : bits & ~bit);
     }
 
-    void lay_out(const std::vector<Band::Seed>& core)
-    {
+    void lay_out(const std::vector<Band::Seed>& core) {
         laid_out_core_ = core;
-        for (const BandTile& t : band_.tiles()) force_slots_[at(t.tile)] = -1;
+        for (const BandTile& t : band_.tiles())
+            force_slots_[at(t.tile)] = -1;
         band_.rebuild(core);
         fields_.resize(band_.compact_size());
-        if (force_.stride() < band_.compact_size()) force_ = Field<Real>(3, band_.compact_size() + band_.compact_size() / 4);
+        if (force_.stride() < band_.compact_size())
+            force_ = Field<Real>(3, band_.compact_size() + band_.compact_size() / 4);
         for (int a = 0; a < 3; ++a)
             std::fill_n(force_.view().component(a), band_.compact_size(), Real(0));
         for (const std::int32_t index : band_.of_level(reach::force)) {
@@ -352,65 +369,64 @@ private:
     }
 
     /// Cells that no longer hold both colours give up what they had of the minority.
-    void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi, const std::vector<Real>& density,
-                const std::vector<std::uint8_t>& kept)
-    {
+    void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
+                const std::vector<Real>& density, const std::vector<std::uint8_t>& kept) {
         LaneSum<58> gone;
         layer_sum_ = 0.0;
         for (const BandTile& t : tiles) {
             const auto left = static_cast<std::uint8_t>(t.bits[reach::colour] & ~kept[at(t.tile)]);
-            if (left == 0) continue;
+            if (left == 0)
+                continue;
             const V amount = V::load(chi.data() + t.slot()) * V::load(density.data() + t.slot());
             gone.add(select<Real>(V::mask(left), amount, V(0)));
         }
         LaneSum<38> layer;
         for (const BandTile& t : band_.tiles())
-            layer.add(select<Real>(V::mask(t.bits[reach::colour]), layer_density(V::load(fields_.chi.data() + t.slot())),
-                                   V(0)));
+            layer.add(select<Real>(V::mask(t.bits[reach::colour]),
+                                   layer_density(V::load(fields_.chi.data() + t.slot())), V(0)));
         leaked_ += gone.value();
         layer_sum_ = layer.value();
     }
 
     template <class Sum>
-    static double merged(const std::vector<Sum>& parts)
-    {
+    static double merged(const std::vector<Sum>& parts) {
         Sum total;
-        for (const Sum& part : parts) total.merge(part);
+        for (const Sum& part : parts)
+            total.merge(part);
         return total.value();
     }
 
-    VESICA_INLINE static void store(const Vec3<V>& value, std::vector<Real> (&a)[3], const BandTile& t)
-    {
+    VESICA_INLINE static void store(const Vec3<V>& value, std::vector<Real> (&a)[3], const BandTile& t) {
         value.x.store(a[0].data() + t.slot());
         value.y.store(a[1].data() + t.slot());
         value.z.store(a[2].data() + t.slot());
     }
 
-    VESICA_INLINE static Vec3<TileAround<Real>> around(const std::vector<Real> (&a)[3], const BandTile& t)
-    {
+    VESICA_INLINE static Vec3<TileAround<Real>> around(const std::vector<Real> (&a)[3], const BandTile& t) {
         return {{a[0].data(), t.rows}, {a[1].data(), t.rows}, {a[2].data(), t.rows}};
     }
 
     /// body(tile) or body(tile, index, thread) for every tile with cells in `level`.
     template <class Body>
-    void for_tiles(int level, int threads, const Body& body) const
-    {
+    void for_tiles(int level, int threads, const Body& body) const {
         const std::vector<std::int32_t>& list = band_.of_level(level);
         for_each_block(static_cast<std::int64_t>(list.size()), threads,
                        [&](int thread, std::int64_t begin, std::int64_t end) {
                            for (std::int64_t k = begin; k < end; ++k) {
                                const std::size_t index = at(list[at(k)]);
-                               if constexpr (std::is_invocable_v<Body, const BandTile&>) body(band_.tiles()[index]);
-                               else body(band_.tiles()[index], index, thread);
+                               if constexpr (std::is_invocable_v<Body, const BandTile&>)
+                                   body(band_.tiles()[index]);
+                               else
+                                   body(band_.tiles()[index], index, thread);
                            }
                        });
         static_cast<void>(threads);
     }
 
     /// Ghost cells of the band take the values of the cells they mirror.
-    void exchange(std::initializer_list<std::vector<Real>*> arrays)
-    {
-        if (band_.ghost_copies().empty()) return;
+    void exchange(std::initializer_list<std::vector<Real>*> arrays) {
+        if (band_.ghost_copies().empty())
+            return;
         for (std::vector<Real>* array : arrays)
             for (const Band::GhostCopy& copy : band_.ghost_copies())
                 (*array)[at(copy.to)] = (*array)[at(copy.from)];
@@ -421,10 +437,11 @@ private:
     Band band_;
     LayerFields<Real> fields_;
     Field<Real> force_;
-    std::vector<std::uint8_t> inside_;       ///< per tile: which cells lie on red's side, kept for cells outside the band
-    std::vector<std::int32_t> force_slots_;  ///< per tile: compact address of forces, -1 where there are none
+    std::vector<std::uint8_t>
+        inside_; ///< per tile: which cells lie on red's side, kept for cells outside the band
+    std::vector<std::int32_t> force_slots_; ///< per tile: compact address of forces, -1 where there are none
     std::vector<Band::Seed> laid_out_core_;
-    std::vector<std::uint8_t> core_bits_;    ///< per band tile: cells with a force now
+    std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
     LayerSums sums_;
     double leaked_ = 0.0;    ///< red mass to be given back
     double layer_sum_ = 0.0; ///< sum (1 - phi^2) it is shared by
