@@ -2,7 +2,7 @@
 #include "io/checkpoint.hpp"
 #include "io/checkpoint_seal.hpp"
 #include "io/checkpoint_store.hpp"
-#include "scratch_directory.hpp"
+#include "small_disk.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -269,4 +269,25 @@ TEST_CASE("the store keeps the newest checkpoints and falls back behind damaged 
         REQUIRE_THAT(complaint_of<RunError>([&] { newest_intact_checkpoint(scratch / "none"); }),
                      Catch::EndsWith("none: holds no checkpoint"));
     }
+}
+
+TEST_CASE("a checkpoint that does not fit costs neither the earlier one nor a half file") {
+    const SmallDisk disk("2m");
+    if (!disk.mounted())
+        return; // only root can mount one
+    const CheckpointStore store(disk.path(), 1);
+    Checkpoint checkpoint = awkward_checkpoint(Precision::double_precision);
+    checkpoint.engine.step = 100;
+    const auto first = store.write(checkpoint);
+    Checkpoint large = awkward_checkpoint(Precision::double_precision, {24, 24, 24});
+    large.engine.step = 200;
+    REQUIRE_THAT(complaint_of<RunError>([&] { store.write(large); }),
+                 Catch::Contains("MB are needed, ") && Catch::Contains("MB are free; free some space"));
+    AtomicFile file(disk / "a.h5");
+    REQUIRE_THAT(complaint_of<RunError>([&] { file.try_space(std::uint64_t{4} << 20); }),
+                 Catch::EndsWith("a.h5: cannot write: No space left on device"));
+    require_same(checkpoint, newest_intact_checkpoint(disk.path()).checkpoint);
+    REQUIRE(exists(first));
+    REQUIRE_FALSE(exists(checkpoint_path(disk.path(), 200)));
+    REQUIRE_FALSE(exists(temporary_name(checkpoint_path(disk.path(), 200))));
 }
