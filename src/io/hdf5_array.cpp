@@ -73,8 +73,10 @@ bool is_empty(const std::vector<hsize_t>& shape) {
 
 Hdf5File create_hdf5(const std::filesystem::path& location, std::uint64_t user_block,
                      const std::filesystem::path& path) {
-    const hid_t id = H5Fcreate(location.c_str(), H5F_ACC_TRUNC, creation_properties(user_block, path),
-                               access_properties());
+    // Closing the properties clears HDF5's reasons for a failure: they must outlive the check.
+    const Hdf5Properties creation = creation_properties(user_block, path);
+    const Hdf5Properties access = access_properties();
+    const hid_t id = H5Fcreate(location.c_str(), H5F_ACC_TRUNC, creation, access);
     return Hdf5File(hdf5_checked(id, path, "cannot create"));
 }
 
@@ -83,7 +85,8 @@ Hdf5File create_hdf5_in_memory(const std::filesystem::path& path) {
     constexpr std::size_t growth = std::size_t{8} << 20;
     hdf5_checked(H5Pset_fapl_core(access, growth, false), path, cannot_write);
     // The name is never opened, but HDF5 tells open files apart by it.
-    const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation_properties(0, path), access);
+    const Hdf5Properties creation = creation_properties(0, path);
+    const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access);
     return Hdf5File(hdf5_checked(id, path, "cannot create"));
 }
 
@@ -96,7 +99,8 @@ std::string hdf5_bytes(const Hdf5File& file, const std::filesystem::path& path) 
 }
 
 Hdf5File open_hdf5(const std::filesystem::path& path) {
-    const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_properties());
+    const Hdf5Properties access = access_properties();
+    const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
     return Hdf5File(hdf5_checked(id, path, "cannot open as HDF5"));
 }
 

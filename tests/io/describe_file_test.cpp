@@ -128,5 +128,5 @@ TEST_CASE("anything else is refused as input") {
         REQUIRE_THAT(refusal(scratch / name), Contains("that Vesica wrote"));
     }
     put_content(scratch / "a.h5", "text");
-    REQUIRE_THAT(refusal(scratch / "a.h5"), Contains("cannot open as HDF5"));
+    REQUIRE_THAT(refusal(scratch / "a.h5"), Contains("is not an HDF5 file that Vesica wrote"));
 }
