@@ -1,3 +1,4 @@
+#include "io/case_key_parts.hpp"
 #include "io/case_keys.hpp"
 
 #include <limits>
@@ -9,29 +10,7 @@ constexpr KeyRange positive{.low = 0.0, .low_open = true};
 constexpr KeyRange relaxation_rate{.low = 0.0, .high = 2.0, .low_open = true, .high_open = true};
 constexpr KeyRange reduced_volume{.low = 0.0, .high = 1.0, .low_open = true};
 constexpr KeyRange step_count{.low = 0.0, .high = 1e15};
-constexpr KeyRange positive_step_count{.low = 1.0, .high = 1e15};
 constexpr double inverse_sqrt_two = 0.70710678118654752;
-
-// Columns of metrics.csv that a resting vesicle has a number for.
-const std::vector<std::string> steady_quantities{"area",
-                                                 "area_ratio",
-                                                 "volume",
-                                                 "reduced_volume",
-                                                 "bending_energy",
-                                                 "mean_curvature_integral",
-                                                 "gaussian_curvature_over_pi",
-                                                 "inertia_1",
-                                                 "inertia_2",
-                                                 "inertia_3",
-                                                 "x",
-                                                 "y",
-                                                 "z",
-                                                 "vx",
-                                                 "vy",
-                                                 "vz",
-                                                 "deformation_index",
-                                                 "tension",
-                                                 "max_speed"};
 
 std::vector<CaseKey> fluid_keys() {
     const auto rate = [](const std::string& name, const std::string& meaning) {
@@ -299,157 +278,6 @@ std::vector<CaseKey> vesicle_keys() {
     };
 }
 
-std::vector<CaseKey> run_and_output_keys() {
-    return {
-        {.path = "numerics.geometry",
-         .kind = KeyKind::choice,
-         .meaning =
-             "curvatures mapped to phi = 0 from the signed distance, or on every node of the layer as in "
-             "Spendlove et al. 2021",
-         .default_value = "\"mapped\"",
-         .choices = {"mapped", "paper"}},
-        {.path = "numerics.cutoff",
-         .kind = KeyKind::number,
-         .meaning = "forces are tapered to zero below this 1 - phi^2",
-         .default_value = "1e-2",
-         .range = {.low = 0.0, .high = 0.5, .low_open = true}},
-        {.path = "numerics.precision",
-         .kind = KeyKind::choice,
-         .meaning = "of the populations and everything on cells",
-         .default_value = "\"double\"",
-         .choices = {"double", "single"}},
-        {.path = "numerics.device",
-         .kind = KeyKind::choice,
-         .meaning = "what computes; auto takes the best there is",
-         .default_value = "\"cpu\"",
-         .choices = {"cpu", "cuda", "auto"}},
-        {.path = "run.steps",
-         .kind = KeyKind::integer,
-         .meaning = "length of the run",
-         .example = "40000",
-         .need = Need::one_of,
-         .group = "the length of the run",
-         .range = step_count},
-        {.path = "run.time",
-         .kind = KeyKind::steps,
-         .meaning = "length of the run, rounded to whole steps",
-         .example = "\"0.2 s\"",
-         .need = Need::one_of,
-         .group = "the length of the run",
-         .dimension = dimension::time,
-         .range = step_count},
-        {.path = "run.wall_time",
-         .kind = KeyKind::number,
-         .meaning = "after which the run writes a checkpoint and stops",
-         .example = "\"2 h\"",
-         .dimension = dimension::time,
-         .si = true,
-         .range = positive},
-        {.path = "run.stop_when_steady.quantity",
-         .kind = KeyKind::choice,
-         .meaning = "a column of metrics.csv",
-         .example = "\"bending_energy\"",
-         .need = Need::required,
-         .choices = steady_quantities},
-        {.path = "run.stop_when_steady.relative_change",
-         .kind = KeyKind::number,
-         .meaning = "below which the quantity counts as steady",
-         .example = "1e-7",
-         .need = Need::required,
-         .range = {.low = 0.0, .high = 1.0, .low_open = true}},
-        {.path = "run.stop_when_steady.over",
-         .kind = KeyKind::steps,
-         .meaning = "time over which it must not change more",
-         .example = "2000",
-         .need = Need::required,
-         .dimension = dimension::time,
-         .range = positive_step_count},
-        {.path = "output.metrics.every",
-         .kind = KeyKind::steps,
-         .meaning = "between rows of metrics.csv; 0: none",
-         .default_value = "100",
-         .dimension = dimension::time,
-         .range = step_count},
-        {.path = "output.fields.every",
-         .kind = KeyKind::steps,
-         .meaning = "between samples of fields.h5; 0: none",
-         .example = "10000",
-         .need = Need::required,
-         .dimension = dimension::time,
-         .range = step_count},
-        {.path = "output.fields.names",
-         .kind = KeyKind::names,
-         .meaning = "which fields",
-         .default_value = "[\"phase\", \"velocity\"]",
-         .choices = {"phase", "velocity", "pressure", "force", "mean_curvature", "gaussian_curvature"}},
-        {.path = "output.fields.region",
-         .kind = KeyKind::region,
-         .meaning = "first cell, and one past the last; absent: the whole box",
-         .example = "[[0, 0, 0], [64, 64, 64]]"},
-        {.path = "output.fields.stride",
-         .kind = KeyKind::integer,
-         .meaning = "every so many cells in each direction",
-         .default_value = "1",
-         .range = {.low = 1.0, .high = 1e6}},
-        {.path = "output.fields.average",
-         .kind = KeyKind::boolean,
-         .meaning = "mean over the time since the last sample instead of the instant",
-         .default_value = "false"},
-        {.path = "output.surfaces.every",
-         .kind = KeyKind::steps,
-         .meaning = "between surfaces phi = 0; 0: none",
-         .example = "2000",
-         .need = Need::required,
-         .dimension = dimension::time,
-         .range = step_count},
-        {.path = "output.checkpoint.every",
-         .kind = KeyKind::steps,
-         .meaning = "between checkpoints; 0: none",
-         .example = "10000",
-         .need = Need::required,
-         .dimension = dimension::time,
-         .range = step_count},
-        {.path = "output.checkpoint.keep",
-         .kind = KeyKind::integer,
-         .meaning = "newest checkpoints",
-         .default_value = "2",
-         .range = {.low = 1.0, .high = 1e6}},
-        {.path = "units.cell",
-         .kind = KeyKind::number,
-         .meaning = "length of a cell",
-         .example = "\"0.2 um\"",
-         .need = Need::required,
-         .dimension = dimension::length,
-         .si = true,
-         .range = positive},
-        {.path = "units.time_step",
-         .kind = KeyKind::number,
-         .meaning = "duration of a step; with fluid.density for the mass",
-         .example = "\"1 us\"",
-         .need = Need::one_of,
-         .group = "the scales of time and mass",
-         .dimension = dimension::time,
-         .si = true,
-         .range = positive},
-        {.path = "units.density",
-         .kind = KeyKind::number,
-         .meaning = "of the fluid, 1 on the lattice; the viscosity then gives the step",
-         .example = "\"1000 kg/m^3\"",
-         .need = Need::one_of,
-         .group = "the scales of time and mass",
-         .dimension = dimension::density,
-         .si = true,
-         .range = positive},
-        {.path = "units.reynolds",
-         .kind = KeyKind::number,
-         .meaning = "of the lattice: inertia is scaled up to it, everything else stays as it is",
-         .example = "0.05",
-         .need = Need::one_of,
-         .group = "the scales of time and mass",
-         .range = {.low = 0.0, .high = 100.0, .low_open = true}},
-    };
-}
-
 std::vector<CaseKey> all_keys() {
     std::vector<CaseKey> keys{
         {.path = "title",
@@ -464,7 +292,8 @@ std::vector<CaseKey> all_keys() {
          .need = Need::required,
          .range = {.low = 1.0, .high = 65536.0}},
     };
-    for (const auto& part : {fluid_keys(), vesicle_type_keys(), vesicle_keys(), run_and_output_keys()})
+    for (const auto& part :
+         {fluid_keys(), vesicle_type_keys(), vesicle_keys(), detail::run_and_output_keys()})
         keys.insert(keys.end(), part.begin(), part.end());
     return keys;
 }
@@ -474,47 +303,6 @@ std::vector<CaseKey> all_keys() {
 const std::vector<CaseKey>& case_keys() {
     static const std::vector<CaseKey> keys = all_keys();
     return keys;
-}
-
-const std::vector<CaseTable>& case_tables() {
-    static const std::vector<CaseTable> tables{
-        {"", false, "At the top."},
-        {"lattice", false, "The box."},
-        {"fluid", false, "Both fluids."},
-        {"fluid.collision", false, "The collision operator."},
-        {"fluid.collision.ghost_rates", true,
-         "Relaxation rates, each above 0 and below 2: one complete set."},
-        {"vesicle_type.*", true, "What vesicles of this name are made of."},
-        {"vesicle_type.*.bending", false, "Resistance to bending."},
-        {"vesicle_type.*.area", false, "The membrane's area."},
-        {"vesicle_type.*.tension", false, "Tension that does not depend on the area."},
-        {"vesicle[]", true, "One vesicle; exactly one for now."},
-        {"vesicle[].perturbation[]", true,
-         "Ripples r (1 + amplitude Y_lm), where Y_l0 is the Legendre polynomial P_l of the angle to the "
-         "axis."},
-        {"numerics", false, "How it is computed."},
-        {"run", false, "How long."},
-        {"run.stop_when_steady", true, "An earlier end."},
-        {"output", false, "What is written."},
-        {"output.metrics", false, "metrics.csv."},
-        {"output.fields", true, "fields.h5 and fields.xmf."},
-        {"output.surfaces", true, "Triangles of the membrane."},
-        {"output.checkpoint", true, "States to resume from."},
-        {"units", true, "What the lattice's units are worth; needed as soon as a value has a unit."},
-    };
-    return tables;
-}
-
-const std::vector<UnavailableTable>& unavailable_tables() {
-    static const std::vector<UnavailableTable> tables{
-        {"boundary", "walls, inlets and outlets"},
-        {"flow", "shear, Poiseuille and extensional flow"},
-        {"obstacles", "solids from a file"},
-        {"suspension", "many vesicles"},
-        {"tracers", "passive points"},
-        {"initial", "a start from an earlier run's state"},
-    };
-    return tables;
 }
 
 } // namespace vesica

@@ -141,17 +141,19 @@ private:
         } catch (const QuantityError& error) {
             std::string advice = error.advice();
             if (advice.starts_with("expected a number and its unit")) {
-                advice = fmt::format(
-                    "expected {}{} as text with a unit; try {}", with_article(dimension_name(key_.dimension)),
-                    key_.si ? "" : " as a number without quotes or", suggestion(key_, !key_.si && key_.kind != KeyKind::point));
+                advice = fmt::format("expected {}{} as text with a unit; try {}",
+                                     with_article(dimension_name(key_.dimension)),
+                                     key_.si ? "" : " as a number without quotes or",
+                                     suggestion(key_, !key_.si && key_.kind != KeyKind::point));
             }
             throw InputError(node.place, fmt::format("{} is {}; {}", path, shown(node), advice));
         }
         if (value.dimension != key_.dimension) {
-            throw InputError(node.place, fmt::format("{} is {}, {}; expected {}; try {}", path, shown(node),
-                                                     with_article(dimension_name(value.dimension)),
-                                                     with_article(dimension_name(key_.dimension)),
-                                                     suggestion(key_, !key_.si && key_.kind != KeyKind::point)));
+            throw InputError(node.place,
+                             fmt::format("{} is {}, {}; expected {}; try {}", path, shown(node),
+                                         with_article(dimension_name(value.dimension)),
+                                         with_article(dimension_name(key_.dimension)),
+                                         suggestion(key_, !key_.si && key_.kind != KeyKind::point)));
         }
         const CaseScalar result{value, node.place, shown(node)};
         if (key_.si)

@@ -50,14 +50,15 @@ TEST_CASE("reading the resolved case gives the same case, bit for bit") {
 TEST_CASE("the resolved case shows SI beside lattice values and marks defaults") {
     const std::string text =
         resolved_toml(read_case_text(std::string(case_templates()[4].text), "case.toml"));
-    for (
-        const std::string& line :
-        {R"(cell = "1.8e-07 m")", R"(radius = 15.675555555556                 # 2.8216 um)",
-         R"(bending.modulus = 0.087086419753086      # 2e-19 J)",
-         R"(kinematic_viscosity = 0.16666666666666666 # 2.95341e-10 m^2/s, 1.2 mPa s)",
-         R"(tension.sigma = 0.0                      # 0 N/m, default)",
-         R"(geometry = "mapped"                      # default)",
-         R"(centre = [28.0, 28.0, 20.0]              # [5.04 um, 5.04 um, 3.6 um])",
-         R"(# inertia is scaled: Re = 0.2 instead of 4.92235e-05, fluid.density 4.0631e+06 kg/m^3 instead of 1000 kg/m^3)"})
+    const std::vector<std::string> lines{
+        R"(cell = "1.8e-07 m")",
+        R"(radius = 15.675555555556                 # 2.8216 um)",
+        R"(bending.modulus = 0.087086419753086      # 2e-19 J)",
+        R"(kinematic_viscosity = 0.16666666666666666 # 2.95341e-10 m^2/s, 1.2 mPa s)",
+        R"(tension.sigma = 0.0                      # 0 N/m, default)",
+        R"(geometry = "mapped"                      # default)",
+        R"(centre = [28.0, 28.0, 20.0]              # [5.04 um, 5.04 um, 3.6 um])",
+        R"(# inertia is scaled: Re = 0.2 instead of 4.92235e-05, fluid.density 4.0631e+06 kg/m^3 instead of 1000 kg/m^3)"};
+    for (const std::string& line : lines)
         CHECK(text.find(line + "\n") != std::string::npos);
 }

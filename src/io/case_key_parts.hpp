@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/case_keys.hpp"
+
+#include <vector>
+
+namespace vesica::detail {
+
+/// The keys of [numerics], [run], [output] and [units].
+std::vector<CaseKey> run_and_output_keys();
+
+} // namespace vesica::detail

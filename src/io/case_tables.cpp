@@ -1,0 +1,46 @@
+#include "io/case_keys.hpp"
+
+namespace vesica {
+
+const std::vector<CaseTable>& case_tables() {
+    static const std::vector<CaseTable> tables{
+        {"", false, "At the top."},
+        {"lattice", false, "The box."},
+        {"fluid", false, "Both fluids."},
+        {"fluid.collision", false, "The collision operator."},
+        {"fluid.collision.ghost_rates", true,
+         "Relaxation rates, each above 0 and below 2: one complete set."},
+        {"vesicle_type.*", true, "What vesicles of this name are made of."},
+        {"vesicle_type.*.bending", false, "Resistance to bending."},
+        {"vesicle_type.*.area", false, "The membrane's area."},
+        {"vesicle_type.*.tension", false, "Tension that does not depend on the area."},
+        {"vesicle[]", true, "One vesicle; exactly one for now."},
+        {"vesicle[].perturbation[]", true,
+         "Ripples r (1 + amplitude Y_lm), where Y_l0 is the Legendre polynomial P_l of the angle to the "
+         "axis."},
+        {"numerics", false, "How it is computed."},
+        {"run", false, "How long."},
+        {"run.stop_when_steady", true, "An earlier end."},
+        {"output", false, "What is written."},
+        {"output.metrics", false, "metrics.csv."},
+        {"output.fields", true, "fields.h5 and fields.xmf."},
+        {"output.surfaces", true, "Triangles of the membrane."},
+        {"output.checkpoint", true, "States to resume from."},
+        {"units", true, "What the lattice's units are worth; needed as soon as a value has a unit."},
+    };
+    return tables;
+}
+
+const std::vector<UnavailableTable>& unavailable_tables() {
+    static const std::vector<UnavailableTable> tables{
+        {"boundary", "walls, inlets and outlets"},
+        {"flow", "shear, Poiseuille and extensional flow"},
+        {"obstacles", "solids from a file"},
+        {"suspension", "many vesicles"},
+        {"tracers", "passive points"},
+        {"initial", "a start from an earlier run's state"},
+    };
+    return tables;
+}
+
+} // namespace vesica
