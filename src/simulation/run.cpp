@@ -177,14 +177,24 @@ private:
     RunAccount account_;
 };
 
+/// The case as it is read again from anywhere: a checkpoint lies in another folder than the case file.
+Case with_absolute_meshes(Case what) {
+    const std::filesystem::path folder = std::filesystem::path(what.source_file).parent_path();
+    for (VesicleParameters& vesicle : what.parameters.vesicles)
+        if (auto* mesh = std::get_if<MeshShape>(&vesicle.shape))
+            mesh->file = std::filesystem::absolute(folder / mesh->file).string();
+    return what;
+}
+
 int threads_for(const RunOptions& options) {
     return options.threads > 0 ? options.threads : default_threads();
 }
 
 } // namespace
 
-RunOutcome run_case(const Case& what, const RunOptions& options) {
+RunOutcome run_case(const Case& original, const RunOptions& options) {
     const auto begin = Clock::now();
+    const Case what = with_absolute_meshes(original);
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
     // The directory first: a refusal should not take as long as building the initial state does.
