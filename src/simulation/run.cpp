@@ -65,6 +65,15 @@ public:
             *options_.out << text << std::endl;
     }
 
+    /// What the plan warns of, for those who did not ask for it.
+    void warn() {
+        for (const std::string& warning : texts_of(plan_.remarks, Remark::Severity::warning)) {
+            log_.warning(warning);
+            if (options_.out != nullptr)
+                *options_.out << "warning: " << warning << std::endl;
+        }
+    }
+
     RunOutcome run(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed) {
         account_.setting_up = seconds_since(begin_);
         account_.first_step = engine.steps_done();
@@ -205,8 +214,7 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     write_atomically(session.directory() / "case.toml", what.source_text);
     write_atomically(session.directory() / "resolved.toml", resolved_toml(what));
     session.log().information(fmt::format("vesica {} ({}, {})", version, commit, compiler));
-    for (const std::string& warning : texts_of(plan.remarks, Remark::Severity::warning))
-        session.log().warning(warning);
+    session.warn();
 
     const auto engine = build_engine(what, options, threads);
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
