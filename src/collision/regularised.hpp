@@ -14,9 +14,8 @@ struct HydrodynamicStep {
 };
 
 template <class V>
-[[gnu::always_inline]] inline HydrodynamicStep<V> relax_hydrodynamics(const Moments<V>& m, const Vec3<V>& F,
-                                                                      const V& rate, const V& reference_density)
-{
+[[gnu::always_inline]] inline HydrodynamicStep<V>
+relax_hydrodynamics(const Moments<V>& m, const Vec3<V>& F, const V& rate, const V& reference_density) {
     const Vec3<V> u = velocity_of(m, reference_density, F);
     const V density = reference_density + m.density_deviation;
     const SymmetricMatrix<V> source = source_stress(F, u);
@@ -28,7 +27,7 @@ template <class V>
     result.u = u;
     result.after.density_deviation = m.density_deviation;
     result.after.momentum = {m.momentum.x + F.x, m.momentum.y + F.y, m.momentum.z + F.z};
-    const auto relax = [&](const V& stress, const V& equilibrium, const V& forced) {
+    const auto relax = [&](const V& stress, const V& equilibrium, const V& forced) VESICA_INLINE_LAMBDA {
         return fma(keep, stress, fma(rate, equilibrium, source_factor * forced));
     };
     result.after.stress = {
@@ -40,11 +39,11 @@ template <class V>
 
 /// All ghost rates one in the t-orthogonal basis: what is left after collision is a function of ten moments.
 struct RegularisedCollision {
-    /// g: stored deviations, in: before, out: after collision. F: force per volume. rate: lambda of the stress.
+    /// g: stored deviations, in: before, out: after collision. F: force per volume. rate: lambda of the
+    /// stress.
     template <class V>
     [[gnu::always_inline]] void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
-                                           const V& reference_density) const
-    {
+                                           const V& reference_density) const {
         const HydrodynamicStep<V> step = relax_hydrodynamics(moments_of(g), F, rate, reference_density);
         populations_of(step.after, g);
     }

@@ -6,12 +6,12 @@
 
 namespace vesica {
 
-/// What a cell contributes to the separation of colours: w = beta (rho_R rho_B/rho) n, n the outward unit normal, so
-/// that after collision (d'Ortona et al. 1995, with the sign that keeps red inside)
+/// What a cell contributes to the separation of colours: w = beta (rho_R rho_B/rho) n, n the outward unit
+/// normal, so that after collision (d'Ortona et al. 1995, with the sign that keeps red inside)
 ///   R_i** = (rho_R/rho) f_i* - t_i c_i.w      B_i** = (rho_B/rho) f_i* + t_i c_i.w.
 template <class V>
-[[gnu::always_inline]] inline Vec3<V> segregation_flux(const V& chi, const V& density, const Vec3<V>& n, double beta)
-{
+[[gnu::always_inline]] inline Vec3<V> segregation_flux(const V& chi, const V& density, const Vec3<V>& n,
+                                                       double beta) {
     const V strength = V(0.25 * beta) * density * layer_density(chi);
     return {strength * n.x, strength * n.y, strength * n.z};
 }
@@ -23,21 +23,23 @@ struct ColourDensities {
     V blue{};
 };
 
-/// The colours' densities after streaming. R_i** is a function of f_i*, rho_R and n of the cell it comes from, and
-/// f_i* has just arrived here as f_i: so no populations per colour are ever stored,
+/// The colours' densities after streaming. R_i** is a function of f_i*, rho_R and n of the cell it comes
+/// from, and f_i* has just arrived here as f_i: so no populations per colour are ever stored,
 ///   rho_R(x, t + 1) = sum_i [ (rho_R/rho)(x - c_i, t) f_i(x, t + 1) - t_i c_i.w(x - c_i, t) ].
-/// `g` are the arrived deviations f_i - t_i rho0; `chi`, `w` give the neighbours' values at x + c_i for Direction<i>.
+/// `g` are the arrived deviations f_i - t_i rho0; `chi`, `w` give the neighbours' values at x + c_i for
+/// Direction<i>.
 template <class V, class ChiAround, class FluxAround>
-[[gnu::always_inline]] inline ColourDensities<V> gather_colours(const V (&g)[direction_count], const V& reference_density,
-                                                                const ChiAround& chi, const FluxAround& w)
-{
+[[gnu::always_inline]] inline ColourDensities<V> gather_colours(const V (&g)[direction_count],
+                                                                const V& reference_density,
+                                                                const ChiAround& chi, const FluxAround& w) {
     ColourDensities<V> arrived;
-    for_each_direction([&](auto i) {
+    for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
         constexpr int from = opposite(decltype(i)::value);
         const V f = fma(V(weight(i)), reference_density, g[i]);
         const V source_chi = chi(Direction<from>{});
         V separation = V(0);
-        if constexpr (decltype(i)::value != 0) separation = V(weight(i)) * w(Direction<from>{});
+        if constexpr (decltype(i)::value != 0)
+            separation = V(weight(i)) * w(Direction<from>{});
         arrived.red += fma(red_fraction(source_chi), f, -separation);
         arrived.blue += fma(blue_fraction(source_chi), f, separation);
     });

@@ -24,7 +24,7 @@ template <class V>
                     fma(G.x.y, n.x, fma(G.y.y, n.y, G.z.y * n.z)),
                     fma(G.x.z, n.x, fma(G.y.z, n.y, G.z.z * n.z))};
     const V c = dot(a, n);
-    const auto project = [&](const V& entry, int i, int j) {
+    const auto project = [&](const V& entry, int i, int j) VESICA_INLINE_LAMBDA {
         return entry - a[i] * n[j] - n[i] * b[j] + n[i] * n[j] * c;
     };
     const V xx = project(G.x.x, 0, 0);

@@ -28,7 +28,7 @@ template <class V>
 [[gnu::always_inline]] inline Vec3<V> flux_on_mid_surface(const Vec3<V>& g, const Jacobian<V>& G,
                                                           const Vec3<V>& n, const V& s, const V& J) {
     const V spherical = fma(-s, G.divergence(), V(1));
-    const auto adjugate = [&](const Vec3<V>& a) {
+    const auto adjugate = [&](const Vec3<V>& a) VESICA_INLINE_LAMBDA {
         const Vec3<V> Wa = tangential(Vec3<V>{dot(G.x, a), dot(G.y, a), dot(G.z, a)}, n);
         return Vec3<V>{fma(s, Wa.x, spherical * a.x), fma(s, Wa.y, spherical * a.y),
                        fma(s, Wa.z, spherical * a.z)};

@@ -12,7 +12,7 @@ template <class V, class Around>
 [[gnu::always_inline]] inline Vec3<V> gradient(const Around& q) {
     Vec3<V> axial;
     Vec3<V> diagonal;
-    for_each_pair([&](auto i) {
+    for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
         constexpr int head = decltype(i)::value;
         constexpr int cx = velocity(head, 0);
         constexpr int cy = velocity(head, 1);
@@ -43,7 +43,7 @@ template <class V, class Around>
 [[gnu::always_inline]] inline V laplacian(const Around& q) {
     V near = V(0);
     V far = V(0);
-    for_each_pair([&](auto i) {
+    for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
         constexpr int head = decltype(i)::value;
         const V sum = q(Direction<head>{}) + q(Direction<opposite(head)>{});
         if constexpr (detail::squared_speed(head) == 1)
