@@ -13,8 +13,7 @@ namespace vesica {
 /// All that `resume` needs.
 struct Checkpoint {
     EngineState engine;
-    std::string case_text;              ///< the case file, verbatim
-    std::vector<std::string> overrides; ///< `path=value`, in the order in which they were applied
+    std::string case_text; ///< the case in TOML, with all that the command line changed
     std::map<std::string, std::vector<double>> notes; ///< what schedules and measures remember, by name
     std::string program_version;
 };

@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
-
 namespace vesica {
 namespace {
 
@@ -26,21 +24,6 @@ std::vector<Value> read_vector(hid_t parent, const std::string& name, hid_t type
     std::vector<Value> values(length_of_vector(array, name.c_str(), path));
     read_rows(array, type, 0, values.size(), values.data(), path);
     return values;
-}
-
-/// Undoes what write_checkpoint does to keep texts that may hold anything: each stands behind its length.
-std::vector<std::string> unpack_texts(std::string_view packed, const Path& path) {
-    std::vector<std::string> texts;
-    while (!packed.empty()) {
-        std::size_t length = 0;
-        const auto [end, error] = std::from_chars(packed.data(), packed.data() + packed.size(), length);
-        const auto digits = static_cast<std::size_t>(end - packed.data());
-        if (error != std::errc{} || digits >= packed.size() || packed.size() - digits - 1 < length)
-            throw RunError(fmt::format("{}: holds an unreadable list of overrides", path.string()));
-        texts.emplace_back(packed.substr(digits + 1, length));
-        packed.remove_prefix(digits + 1 + length);
-    }
-    return texts;
 }
 
 std::string read_text(hid_t parent, const std::string& name, const Path& path) {
@@ -81,7 +64,6 @@ Checkpoint read_checkpoint(const Path& path) {
     read_header(file, state, path);
     checkpoint.program_version = read_text_attribute(file, "program_version", path);
     checkpoint.case_text = read_text(file, "case", path);
-    checkpoint.overrides = unpack_texts(read_text(file, "overrides", path), path);
     state.populations = read_populations(file, path);
     state.minority = read_vector<double>(file, "minority", H5T_NATIVE_DOUBLE, path);
     state.controllers = read_vector<double>(file, "controllers", H5T_NATIVE_DOUBLE, path);

@@ -104,14 +104,6 @@ void write_values(AtomicFile& file, const PlacedArray& array) {
     file.write_at(offset, array.bytes);
 }
 
-/// Each text behind its length, so that it may hold anything.
-std::string pack_texts(const std::vector<std::string>& texts) {
-    std::string packed;
-    for (const auto& text : texts)
-        packed += fmt::format("{}:{}", text.size(), text);
-    return packed;
-}
-
 std::uint64_t bytes_needed(const Checkpoint& checkpoint) {
     const auto& state = checkpoint.engine;
     std::uint64_t reals = state.minority.size() + state.controllers.size();
@@ -143,7 +135,6 @@ void write_checkpoint(const Path& path, const Checkpoint& checkpoint) {
     write_attribute(file, "program_version", checkpoint.program_version, path);
     Structure structure(file, path);
     structure.add_bytes("case", checkpoint.case_text);
-    structure.add_bytes("overrides", pack_texts(checkpoint.overrides));
     structure.add_bytes("band", {state.band.begin(), state.band.end()});
     structure.add_populations(state);
     structure.add_reals(file, "minority", state.minority, single);

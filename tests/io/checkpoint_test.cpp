@@ -7,10 +7,12 @@
 #include <catch2/catch.hpp>
 
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
+#include <thread>
 
 using namespace vesica;
 
@@ -42,7 +44,6 @@ Checkpoint awkward_checkpoint(Precision precision, Vec3<int> size = {7, 5, 3}) {
     }
     state.controllers = {1.0 / 3.0, -2e-300, 0.1};
     checkpoint.case_text = std::string("title = \"caf\xc3\xa9\"\n\0with a zero byte", 35);
-    checkpoint.overrides = {"run.steps=10", "title=\"two\nlines\"", ""};
     checkpoint.notes = {
         {"initial_mass", {1.0 / 7.0}}, {"nothing", {}}, {"unwrapped centre", {1.5, -2.5, 1e-9}}};
     checkpoint.program_version = "0.1.0";
@@ -65,7 +66,6 @@ void require_same(const Checkpoint& a, const Checkpoint& b) {
     REQUIRE(same_bits(a.engine.controllers, b.engine.controllers));
     REQUIRE(a.engine.band == b.engine.band);
     REQUIRE(a.case_text == b.case_text);
-    REQUIRE(a.overrides == b.overrides);
     REQUIRE(a.program_version == b.program_version);
     REQUIRE(a.notes.size() == b.notes.size());
     for (const auto& [name, values] : a.notes)
@@ -110,9 +110,10 @@ TEST_CASE("a checkpoint without vesicles and cells survives too") {
     require_same(empty, read_checkpoint(scratch / "a.h5"));
 }
 
-TEST_CASE("the same checkpoint gives the same bytes") {
+TEST_CASE("the same checkpoint gives the same bytes, later too") {
     const ScratchDirectory scratch;
     write_checkpoint(scratch / "a.h5", awkward_checkpoint(Precision::double_precision));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // HDF5 counts time in seconds, if it does
     write_checkpoint(scratch / "b.h5", awkward_checkpoint(Precision::double_precision));
     REQUIRE(content_of(scratch / "a.h5") == content_of(scratch / "b.h5"));
 }
