@@ -3,8 +3,6 @@
 #include "core/input_error.hpp"
 #include "simulation/engine_entries.hpp"
 
-#include <array>
-
 namespace vesica {
 
 namespace {
@@ -12,49 +10,55 @@ namespace {
 struct InstructionSet {
     std::string_view name;
     bool runs_here;
-    std::unique_ptr<Engine> (*make)(const EngineSetup&);
+    std::unique_ptr<Engine> (*in_double)(const EngineSetup&);
+    std::unique_ptr<Engine> (*in_single)(const EngineSetup&);
 };
 
 /// Best first.
-std::vector<InstructionSet> instruction_sets()
-{
+std::vector<InstructionSet> instruction_sets() {
     std::vector<InstructionSet> sets;
 #ifdef VESICA_HAS_ISA_AVX512
     sets.push_back({"avx512",
                     __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
                         __builtin_cpu_supports("fma"),
-                    isa_entry_avx512_make_engine});
+                    isa_entry_avx512_make_double_engine, isa_entry_avx512_make_single_engine});
 #endif
 #ifdef VESICA_HAS_ISA_AVX2
-    sets.push_back({"avx2", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"),
-                    isa_entry_avx2_make_engine});
+    sets.push_back(
+        {"avx2",
+         __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"),
+         isa_entry_avx2_make_double_engine, isa_entry_avx2_make_single_engine});
 #endif
-    sets.push_back({"baseline", true, isa_entry_baseline_make_engine});
+    sets.push_back(
+        {"baseline", true, isa_entry_baseline_make_double_engine, isa_entry_baseline_make_single_engine});
     return sets;
 }
 
 } // namespace
 
-const std::vector<std::string>& field_names()
-{
-    static const std::vector<std::string> names{"phase",          "density",            "velocity",      "pressure",
-                                                "force",          "mean_curvature",     "gaussian_curvature",
-                                                "normal",         "bending_force",      "tension_force"};
+const std::vector<std::string>& field_names() {
+    static const std::vector<std::string> names{
+        "phase",         "density",        "velocity",           "pressure",
+        "force",         "mean_curvature", "gaussian_curvature", "normal",
+        "bending_force", "tension_force"};
     return names;
 }
 
-std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads, std::string_view instruction_set)
-{
+std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
+                                    std::string_view instruction_set) {
     EngineSetup setup = make_engine_setup(parameters, threads);
     for (const InstructionSet& set : instruction_sets()) {
-        if (!instruction_set.empty() && set.name != instruction_set) continue;
+        if (!instruction_set.empty() && set.name != instruction_set)
+            continue;
         if (!set.runs_here) {
-            if (instruction_set.empty()) continue;
-            throw InputError("instruction set " + std::string(instruction_set) + " is not supported by this machine");
+            if (instruction_set.empty())
+                continue;
+            throw InputError("instruction set " + std::string(instruction_set) +
+                             " is not supported by this machine");
         }
         setup.instruction_set = set.name;
-        return set.make(setup);
+        return setup.precision == Precision::single_precision ? set.in_single(setup) : set.in_double(setup);
     }
     throw InputError("instruction set \"" + std::string(instruction_set) + "\" is unknown to this build");
 }

@@ -7,8 +7,7 @@ namespace vesica {
 
 /// The state in canonical order: nothing of threads, tiles or the streaming pattern shows.
 template <class Real>
-EngineState LatticeEngine<Real>::save() const
-{
+EngineState LatticeEngine<Real>::save() const {
     EngineState state;
     state.step = step_;
     state.precision = setup_.precision;
@@ -20,12 +19,15 @@ EngineState LatticeEngine<Real>::save() const
 
     std::vector<std::uint8_t> in_band(layer_.inside().size(), 0);
     std::vector<std::uint8_t> core(layer_.inside().size(), 0);
-    for (const BandTile& t : layer_.band().tiles()) in_band[static_cast<std::size_t>(t.tile)] = t.bits[Band::outermost];
-    for (const Band::Seed& seed : layer_.core()) core[static_cast<std::size_t>(seed.tile)] = seed.bits;
+    for (const BandTile& t : layer_.band().tiles())
+        in_band[static_cast<std::size_t>(t.tile)] = t.bits[Band::outermost];
+    for (const Band::Seed& seed : layer_.core())
+        core[static_cast<std::size_t>(seed.tile)] = seed.bits;
 
     for_each_cell_of_box([&](std::size_t at, std::int64_t cell) {
         for (int i = 0; i < direction_count; ++i)
-            state.populations[static_cast<std::size_t>(i)][at] = static_cast<double>(*f_.find(streaming_, i, cell));
+            state.populations[static_cast<std::size_t>(i)][at] =
+                static_cast<double>(*f_.find(streaming_, i, cell));
         const auto tile = static_cast<std::size_t>(cell / tile_width);
         const auto bit = cell % tile_width;
         bool red = (layer_.inside()[tile] >> bit & 1) != 0;
@@ -41,19 +43,20 @@ EngineState LatticeEngine<Real>::save() const
     state.controllers = {membrane_.constraint_tension, 0.0, 0.0, 0.0};
     if (const auto* multiplier = std::get_if<AreaMultiplier>(&membrane_.area)) {
         const AreaMultiplier::State& held = multiplier->state();
-        state.controllers = {membrane_.constraint_tension, held.integral, held.previous_excess, held.started ? 1.0 : 0.0};
+        state.controllers = {membrane_.constraint_tension, held.integral, held.previous_excess,
+                             held.started ? 1.0 : 0.0};
     }
     return state;
 }
 
 template <class Real>
-void LatticeEngine<Real>::load(const EngineState& state)
-{
+void LatticeEngine<Real>::load(const EngineState& state) {
     const auto cells = static_cast<std::size_t>(grid_.volume());
     if (!(state.size == grid_.size()) || state.populations.size() != direction_count ||
         state.minority.size() != cells || state.band.size() != cells || state.controllers.size() != 4)
         throw RunError("the saved state belongs to another box");
-    if (state.precision != setup_.precision) throw RunError("the saved state was computed in another precision");
+    if (state.precision != setup_.precision)
+        throw RunError("the saved state was computed in another precision");
 
     fill_at_rest();
     step_ = state.step;
@@ -70,15 +73,18 @@ void LatticeEngine<Real>::load(const EngineState& state)
         inside[tile] = static_cast<std::uint8_t>(inside[tile] | (state.band[at] >> 1 & 1) << bit);
         canonical[static_cast<std::size_t>(cell)] = at;
     });
-    if (setup_.colours == nullptr) return;
+    if (setup_.colours == nullptr)
+        return;
     std::vector<Band::Seed> seeds;
     for (std::size_t tile = 0; tile < core.size(); ++tile)
-        if (core[tile] != 0) seeds.push_back({static_cast<std::int64_t>(tile), core[tile]});
-    layer_.place(seeds,
-                 [&](std::int64_t cell) {
-                     return static_cast<Real>(state.minority[canonical[static_cast<std::size_t>(cell)]]);
-                 },
-                 std::move(inside));
+        if (core[tile] != 0)
+            seeds.push_back({static_cast<std::int64_t>(tile), core[tile]});
+    layer_.place(
+        seeds,
+        [&](std::int64_t cell) {
+            return static_cast<Real>(state.minority[canonical[static_cast<std::size_t>(cell)]]);
+        },
+        std::move(inside));
     membrane_.constraint_tension = state.controllers[0];
     if (auto* multiplier = std::get_if<AreaMultiplier>(&membrane_.area))
         multiplier->restore({state.controllers[1], state.controllers[2], state.controllers[3] != 0.0});

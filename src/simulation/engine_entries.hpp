@@ -5,14 +5,17 @@
 
 #include <memory>
 
-#define VESICA_ENGINE_ENTRY_OF(isa) isa_entry_##isa##_make_engine
-#define VESICA_ENGINE_ENTRY(isa) VESICA_ENGINE_ENTRY_OF(isa)
+#define VESICA_ENGINE_ENTRY_OF(precision, isa) isa_entry_##isa##_make_##precision##_engine
+#define VESICA_ENGINE_ENTRY(precision, isa) VESICA_ENGINE_ENTRY_OF(precision, isa)
 
 namespace vesica {
 
-// One entry per instruction set the library was built for (VESICA_HAVE_ISA_...).
-std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(baseline)(const EngineSetup& setup);
-std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(avx2)(const EngineSetup& setup);
-std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(avx512)(const EngineSetup& setup);
+// One entry per precision and instruction set the library was built for (VESICA_HAS_ISA_...).
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(double, baseline)(const EngineSetup& setup);
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(double, avx2)(const EngineSetup& setup);
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(double, avx512)(const EngineSetup& setup);
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(single, baseline)(const EngineSetup& setup);
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(single, avx2)(const EngineSetup& setup);
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(single, avx512)(const EngineSetup& setup);
 
 } // namespace vesica

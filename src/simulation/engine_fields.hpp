@@ -9,8 +9,7 @@ namespace vesica {
 
 /// The fastest cell of the box; not a number counts as faster than anything.
 template <class Real>
-typename LatticeEngine<Real>::Fastest LatticeEngine<Real>::fastest() const
-{
+typename LatticeEngine<Real>::Fastest LatticeEngine<Real>::fastest() const {
     const Vec3<int> size = grid_.size();
     const std::int64_t rows = std::int64_t{size.y} * size.z;
     std::vector<Fastest> of_row(static_cast<std::size_t>(rows));
@@ -22,21 +21,24 @@ typename LatticeEngine<Real>::Fastest LatticeEngine<Real>::fastest() const
             const std::int64_t cell = grid_.index(x, y, z);
             const Moments<double> m = moments_at(cell);
             const double speed = norm(velocity_of(m, setup_.reference_density, force_at(cell)));
-            if (!(speed <= best.speed)) best = {speed, {x, y, z}, setup_.reference_density + m.density_deviation};
-            if (std::isnan(speed)) return;
+            if (!(speed <= best.speed))
+                best = {speed, {x, y, z}, setup_.reference_density + m.density_deviation};
+            if (std::isnan(speed))
+                return;
         }
     });
     Fastest best;
     for (const Fastest& row : of_row) {
-        if (!(row.speed <= best.speed)) best = row;
-        if (std::isnan(best.speed)) break;
+        if (!(row.speed <= best.speed))
+            best = row;
+        if (std::isnan(best.speed))
+            break;
     }
     return best;
 }
 
 template <class Real>
-DenseField LatticeEngine<Real>::field(std::string_view name) const
-{
+DenseField LatticeEngine<Real>::field(std::string_view name) const {
     const Vec3<int> size = grid_.size();
     const bool vector = name == "velocity" || name == "force" || name == "normal";
     DenseField field{size, vector ? 3 : 1, {}};
@@ -55,7 +57,8 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const
     // The value of a compact array, and whether the cell belongs to the band at all.
     const auto layer_value = [&](const std::vector<Real>& array, std::int64_t cell, double outside) {
         const std::int32_t slot = layer_.empty() ? -1 : layer_.band().slot_of_tile(cell / tile_width);
-        return slot < 0 ? outside : static_cast<double>(array[static_cast<std::size_t>(slot + cell % tile_width)]);
+        return slot < 0 ? outside
+                        : static_cast<double>(array[static_cast<std::size_t>(slot + cell % tile_width)]);
     };
     const LayerFields<Real>& layer = layer_.fields();
     if (name == "phase") {
@@ -66,7 +69,9 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const
             const auto tile = static_cast<std::size_t>(cell / tile_width);
             const auto bit = cell % tile_width;
             const bool red = (layer_.inside()[tile] >> bit & 1) != 0;
-            *out = (in_band[tile] >> bit & 1) != 0 ? phase_of(layer_value(layer.chi, cell, 0.0)) : red ? 1.0 : -1.0;
+            *out = (in_band[tile] >> bit & 1) != 0 ? phase_of(layer_value(layer.chi, cell, 0.0))
+                   : red                           ? 1.0
+                                                   : -1.0;
         });
     } else if (name == "density" || name == "pressure") {
         const double scale = name == "pressure" ? sound_speed_squared : 1.0;
@@ -77,16 +82,19 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const
     } else if (name == "velocity") {
         fill([&](std::int64_t cell, double* out) {
             const Vec3<double> u = velocity_of(moments_at(cell), setup_.reference_density, force_at(cell));
-            for (int a = 0; a < 3; ++a) out[a] = u[a];
+            for (int a = 0; a < 3; ++a)
+                out[a] = u[a];
         });
     } else if (name == "force") {
         fill([&](std::int64_t cell, double* out) {
             const Vec3<double> F = force_at(cell);
-            for (int a = 0; a < 3; ++a) out[a] = F[a];
+            for (int a = 0; a < 3; ++a)
+                out[a] = F[a];
         });
     } else if (name == "normal") {
         fill([&](std::int64_t cell, double* out) {
-            for (int a = 0; a < 3; ++a) out[a] = layer_value(layer.n[a], cell, 0.0);
+            for (int a = 0; a < 3; ++a)
+                out[a] = layer_value(layer.n[a], cell, 0.0);
         });
     } else if (name == "mean_curvature") {
         fill([&](std::int64_t cell, double* out) { *out = layer_value(layer.H0, cell, 0.0); });
@@ -98,8 +106,9 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const
             const BandTile& t = layer_.band().tiles()[static_cast<std::size_t>(index)];
             const V H = V::load(layer.H0.data() + t.slot());
             const V K = V::load(layer.K0.data() + t.slot());
-            const V bending = std::visit([&](const auto& law) { return law.force(H, K, layer_.laplace_beltrami_of_H(t)); },
-                                         membrane_.bending);
+            const V bending =
+                std::visit([&](const auto& law) { return law.force(H, K, layer_.laplace_beltrami_of_H(t)); },
+                           membrane_.bending);
             const V value = name == "bending_force" ? bending : TensionLaw{membrane_.tension()}.force(H);
             select<Real>(V::mask(t.bits[reach::force]), value, V(0)).store(values.data() + t.slot());
         }
@@ -110,11 +119,10 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const
     return field;
 }
 
-/// Speeds beyond the range of the equilibrium, densities far from the reference, forces that would move a cell's
-/// fluid by a fair part of its sound speed within a step: a run that shows them is lost.
+/// Speeds beyond the range of the equilibrium, densities far from the reference, forces that would move a
+/// cell's fluid by a fair part of its sound speed within a step: a run that shows them is lost.
 template <class Real>
-std::optional<Trouble> LatticeEngine<Real>::trouble() const
-{
+std::optional<Trouble> LatticeEngine<Real>::trouble() const {
     const auto text = [](const char* what, double found, double limit) {
         return std::string(what) + " is " + std::to_string(found) + ", beyond " + std::to_string(limit);
     };
@@ -128,7 +136,8 @@ std::optional<Trouble> LatticeEngine<Real>::trouble() const
     const int vesicle = in_layer ? 0 : -1;
     if (!layer_.empty() && !std::isfinite(membrane_.tension()))
         return Trouble{step_, fast.cell, 0, "tension is not a number"};
-    if (!(norm(F) <= force_allowed)) return Trouble{step_, fast.cell, vesicle, text("force", norm(F), force_allowed)};
+    if (!(norm(F) <= force_allowed))
+        return Trouble{step_, fast.cell, vesicle, text("force", norm(F), force_allowed)};
     if (!(std::abs(fast.density - setup_.reference_density) <= density_allowed))
         return Trouble{step_, fast.cell, vesicle,
                        text("density", fast.density, setup_.reference_density + density_allowed)};

@@ -12,37 +12,35 @@ namespace vesica {
 
 namespace {
 
-BendingLaw bending_law(const BendingParameters& bending)
-{
+BendingLaw bending_law(const BendingParameters& bending) {
     if (const auto* helfrich = std::get_if<HelfrichBending>(&bending.form))
         return HelfrichLaw{bending.modulus, helfrich->spontaneous_curvature};
     return PaperBendingLaw{bending.modulus, std::get<PaperBending>(bending.form).laplacian_coefficient};
 }
 
-/// Gains of the area's controller for a vesicle of radius R in a fluid of viscosity eta: a quarter of the largest
-/// explicit stiffness eta R, integral and derivative times from the time momentum needs across the layer and the
-/// vesicle.
-AreaMultiplier::Gains controller_gains(const VesicleType& type, double radius, double dynamic_viscosity, double nu)
-{
+/// Gains of the area's controller for a vesicle of radius R in a fluid of viscosity eta: a quarter of the
+/// largest explicit stiffness eta R, integral and derivative times from the time momentum needs across the
+/// layer and the vesicle.
+AreaMultiplier::Gains controller_gains(const VesicleType& type, double radius, double dynamic_viscosity,
+                                       double nu) {
     AreaMultiplier::Gains gains;
     gains.proportional = 0.25 * dynamic_viscosity * radius;
     gains.integral_time = 0.5 * radius * radius / nu;
     gains.derivative_time = 0.0;
-    // The sphere's mode l = 3 buckles at sigma R^2/kappa = -12. A membrane that cannot bend resists no compression.
+    // The sphere's mode l = 3 buckles at sigma R^2/kappa = -12. A membrane that cannot bend resists no
+    // compression.
     gains.lowest_tension = -12.0 * type.bending.modulus / (radius * radius) - type.sigma;
     return gains;
 }
 
-AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosity, double nu)
-{
+AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosity, double nu) {
     struct Choose {
         const VesicleType& type;
         double radius;
         double eta;
         double nu;
         AreaLaw operator()(const NoConstraint&) const { return FreeArea{}; }
-        AreaLaw operator()(const MultiplierConstraint&) const
-        {
+        AreaLaw operator()(const MultiplierConstraint&) const {
             return AreaMultiplier(controller_gains(type, radius, eta, nu));
         }
         AreaLaw operator()(const PenaltyConstraint& penalty) const { return AreaPenalty{penalty.modulus}; }
@@ -53,8 +51,7 @@ AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosit
 
 } // namespace
 
-EngineSetup make_engine_setup(const Parameters& parameters, int threads)
-{
+EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     EngineSetup setup;
     const FluidParameters& fluid = parameters.fluid;
     setup.size = parameters.size;
@@ -63,9 +60,11 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads)
     setup.ghosts = fluid.ghosts;
     setup.precision = parameters.numerics.precision;
     setup.threads = threads;
-    setup.layer = {fluid.segregation, fluid.density, parameters.numerics.cutoff, parameters.numerics.geometry};
+    setup.layer = {fluid.segregation, fluid.density, parameters.numerics.cutoff,
+                   parameters.numerics.geometry};
     setup.layer_moments = lattice_layer_moments(fluid.segregation);
-    if (parameters.vesicles.empty()) return setup;
+    if (parameters.vesicles.empty())
+        return setup;
 
     const VesicleParameters& vesicle = parameters.vesicles.front();
     const VesicleType& type = parameters.types.at(vesicle.type);

@@ -25,15 +25,16 @@ struct LaneVectors {
 
 } // namespace detail
 
-/// A point near the vesicle's middle: the circular mean of the layer's cells, so that periodic images do not matter.
+/// A point near the vesicle's middle: the circular mean of the layer's cells, so that periodic images do not
+/// matter.
 template <class Real>
-Vec3<double> LatticeEngine<Real>::middle() const
-{
+Vec3<double> LatticeEngine<Real>::middle() const {
     const double turn[3] = {2 * pi / grid_.size().x, 2 * pi / grid_.size().y, 2 * pi / grid_.size().z};
     double sine[3] = {};
     double cosine[3] = {};
     for (const BandTile& t : layer_.band().tiles()) {
-        if (t.bits[0] == 0) continue;
+        if (t.bits[0] == 0)
+            continue;
         const Vec3<int> origin = grid_.tile_origin(t.tile);
         const Vec3<double> x{origin.x + 0.5 * tile_width, origin.y + 0.5, origin.z + 0.5};
         for (int a = 0; a < 3; ++a) {
@@ -50,8 +51,7 @@ Vec3<double> LatticeEngine<Real>::middle() const
 }
 
 template <class Real>
-void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot& vesicle) const
-{
+void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot& vesicle) const {
     const LayerFields<Real>& fields = layer_.fields();
     for (const BandTile& t : layer_.band().tiles()) {
         const auto lanes = [&](const std::vector<Real>& a) {
@@ -65,10 +65,12 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
         const auto H0 = lanes(fields.H0);
         const auto K0 = lanes(fields.K0);
         const auto J = lanes(fields.J);
-        const detail::LaneValues<Real> laplacian(t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(t) : V(0));
+        const detail::LaneValues<Real> laplacian(t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(t)
+                                                                           : V(0));
         const Vec3<int> origin = grid_.tile_origin(t.tile);
         for (int k = 0; k < tile_width; ++k) {
-            if ((t.bits[Band::outermost] >> k & 1) == 0) continue;
+            if ((t.bits[Band::outermost] >> k & 1) == 0)
+                continue;
             InterfaceCell cell;
             const int x = origin.x + k;
             cell.position = {x + 0.5 + unwrap.shift(0, x), origin.y + 0.5 + unwrap.shift(1, origin.y),
@@ -88,10 +90,12 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
                 cell.K0 = K0[k];
                 cell.J = J[k];
                 cell.K = cell.K0 * cell.J;
-                cell.H = setup_.layer.recipe == GeometryRecipe::mapped ? cell.H0 * cell.J + cell.s * cell.K : cell.H0;
+                cell.H = setup_.layer.recipe == GeometryRecipe::mapped ? cell.H0 * cell.J + cell.s * cell.K
+                                                                       : cell.H0;
                 if ((t.bits[reach::force] >> k & 1) != 0) {
-                    cell.bending_force = std::visit(
-                        [&](const auto& law) { return law.force(cell.H0, cell.K0, laplacian[k]); }, membrane_.bending);
+                    cell.bending_force =
+                        std::visit([&](const auto& law) { return law.force(cell.H0, cell.K0, laplacian[k]); },
+                                   membrane_.bending);
                     cell.tension_force = TensionLaw{membrane_.tension()}.force(cell.H0);
                 }
             }
@@ -100,10 +104,10 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
     }
 }
 
-/// Runs of cells that are purely inside, outside the band's own cells; a run ends where its periodic image changes.
+/// Runs of cells that are purely inside, outside the band's own cells; a run ends where its periodic image
+/// changes.
 template <class Real>
-void LatticeEngine<Real>::add_inside(const Unwrap& unwrap, VesicleSnapshot& vesicle) const
-{
+void LatticeEngine<Real>::add_inside(const Unwrap& unwrap, VesicleSnapshot& vesicle) const {
     std::vector<std::uint8_t> in_band(layer_.inside().size(), 0);
     for (const BandTile& t : layer_.band().tiles())
         in_band[static_cast<std::size_t>(t.tile)] = t.bits[Band::outermost];
@@ -130,36 +134,40 @@ void LatticeEngine<Real>::add_inside(const Unwrap& unwrap, VesicleSnapshot& vesi
 
 /// Mass and momentum of the vesicle's colour, exact sums over every cell that has some of it.
 template <class Real>
-void LatticeEngine<Real>::add_colour_sums(VesicleSnapshot& vesicle) const
-{
+void LatticeEngine<Real>::add_colour_sums(VesicleSnapshot& vesicle) const {
     ExactSum mass;
     ExactSum momentum[3];
     const auto add = [&](double rho, const Vec3<double>& u) {
         mass.add(rho);
-        for (int a = 0; a < 3; ++a) momentum[a].add(rho * u[a]);
+        for (int a = 0; a < 3; ++a)
+            momentum[a].add(rho * u[a]);
     };
-    for (const InterfaceCell& cell : vesicle.cells) add(0.5 * (1.0 + cell.phi) * cell.density, cell.u);
+    for (const InterfaceCell& cell : vesicle.cells)
+        add(0.5 * (1.0 + cell.phi) * cell.density, cell.u);
     const Vec3<int> size = grid_.size();
-    const auto home = [](int x, int n) { return ((x % n) + n) % n; };
+    const auto home = [](int x, int n) {
+        return ((x % n) + n) % n;
+    };
     for (const InsideSpan& span : vesicle.inside)
         for (int k = 0; k < span.count; ++k) {
             const std::int64_t cell =
                 grid_.index(home(span.begin + k, size.x), home(span.y, size.y), home(span.z, size.z));
             const Moments<double> m = moments_at(cell);
-            add(setup_.reference_density + m.density_deviation, velocity_of(m, setup_.reference_density, force_at(cell)));
+            add(setup_.reference_density + m.density_deviation,
+                velocity_of(m, setup_.reference_density, force_at(cell)));
         }
     vesicle.colour_mass = mass.value();
     vesicle.momentum = {momentum[0].value(), momentum[1].value(), momentum[2].value()};
 }
 
 template <class Real>
-Snapshot LatticeEngine<Real>::snapshot() const
-{
+Snapshot LatticeEngine<Real>::snapshot() const {
     Snapshot snapshot;
     snapshot.step = step_;
     snapshot.reference_density = setup_.reference_density;
     snapshot.max_speed = fastest().speed;
-    if (layer_.empty()) return snapshot;
+    if (layer_.empty())
+        return snapshot;
     VesicleSnapshot vesicle;
     vesicle.beta = setup_.layer.beta;
     vesicle.layer_moment = setup_.layer_moments.area;

@@ -6,10 +6,8 @@
 
 namespace vesica {
 
-std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(VESICA_ISA)(const EngineSetup& setup)
-{
-    if (setup.precision == Precision::single_precision) return std::make_unique<LatticeEngine<float>>(setup);
-    return std::make_unique<LatticeEngine<double>>(setup);
+std::unique_ptr<Engine> VESICA_ENGINE_ENTRY(single, VESICA_ISA)(const EngineSetup& setup) {
+    return std::make_unique<LatticeEngine<float>>(setup);
 }
 
 } // namespace vesica
