@@ -27,7 +27,7 @@ public:
 
     void add(double term) {
         if (!(std::abs(term) <= largest_term)) {
-            assert(std::isnan(term) || std::isinf(term) || !"term out of the exact sum's range");
+            assert(!std::isfinite(term)); // a finite term out of range is ours to scale
             poisoned_ = true;
             return;
         }
