@@ -57,7 +57,6 @@ public:
     std::int64_t compact_size() const { return compact_size_; }
     /// Compact address of a tile of the grid, -1 outside the band.
     std::int32_t slot_of_tile(std::int64_t tile) const { return slot_of_tile_[static_cast<std::size_t>(tile)]; }
-    const std::int32_t* slots() const { return slot_of_tile_.data(); }
 
     std::int64_t cell_count() const;
     std::size_t bytes() const;

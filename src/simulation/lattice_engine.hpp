@@ -145,7 +145,7 @@ private:
         influence.force_slot = layer_.force_slots().data();
         influence.force = layer_.force().view();
         influence.contrast = setup_.rates.inner != setup_.rates.outer;
-        influence.colour_slot = layer_.band().slots();
+        influence.colour_slot = layer_.colour_slots().data();
         influence.chi = layer_.fields().chi.data();
         influence.inside = layer_.inside().data();
         return influence;

@@ -28,8 +28,8 @@ inline constexpr int force = 1;
 inline constexpr int slope = 2;
 inline constexpr int curvature = 3;
 inline constexpr int raw_curvature = 4; ///< sharpening asks for one level more as well
-inline constexpr int colour = 7;        ///< cells that may hold both colours: normals at 5, sharpened s at 6
-inline constexpr int receiving = 8;     ///< cells that colour may leak into within a step, swept at once
+inline constexpr int colour = 7;        ///< cells that may hold both colours, with the normals that part them
+inline constexpr int receiving = 8;     ///< cells that colour may leak into within a step; sharpened s
 } // namespace reach
 
 /// Sums over a layer, independent of the order they are made in.
@@ -51,13 +51,15 @@ public:
           spread_force_(settings.cutoff),
           band_(grid),
           inside_(static_cast<std::size_t>(grid.tiles()), 0),
-          force_slots_(static_cast<std::size_t>(grid.tiles()), -1) {}
+          force_slots_(static_cast<std::size_t>(grid.tiles()), -1),
+          colour_slots_(static_cast<std::size_t>(grid.tiles()), -1) {}
 
     const Band& band() const { return band_; }
     const LayerFields<Real>& fields() const { return fields_; }
     const Field<Real>& force() const { return force_; }
     const std::vector<std::uint8_t>& inside() const { return inside_; }
     const std::vector<std::int32_t>& force_slots() const { return force_slots_; }
+    const std::vector<std::int32_t>& colour_slots() const { return colour_slots_; }
     const std::vector<Band::Seed>& core() const { return laid_out_core_; }
     const LayerSums& sums() const { return sums_; }
     const LayerSettings& settings() const { return settings_; }
@@ -65,7 +67,7 @@ public:
 
     std::size_t bytes() const {
         return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
-               (force_slots_.capacity() + core_bits_.capacity()) * sizeof(std::int32_t);
+               (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) + core_bits_.capacity();
     }
 
     /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid
@@ -174,7 +176,7 @@ public:
     /// n = grad s/|grad s| (mapped) or -grad phi/|grad phi| (paper), and the segregation flux.
     void normals(int threads) {
         if (mapped()) {
-            for_tiles(reach::colour, threads, [&](const BandTile& t) {
+            for_tiles(reach::receiving, threads, [&](const BandTile& t) { // normals differentiate it
                 sharpened<V>(TileAround<Real>{fields_.s.data(), t.rows}, 1.0)
                     .store(fields_.sharp.data() + t.slot());
             });
@@ -353,8 +355,10 @@ private:
     void lay_out(const std::vector<Band::Seed>& core) {
         laid_out_core_ = core;
         for (const BandTile& t : band_.tiles())
-            force_slots_[at(t.tile)] = -1;
+            force_slots_[at(t.tile)] = colour_slots_[at(t.tile)] = -1;
         band_.rebuild(core);
+        for (const BandTile& t : band_.tiles())
+            colour_slots_[at(t.tile)] = t.slot();
         fields_.resize(band_.compact_size());
         if (force_.stride() < band_.compact_size())
             force_ = Field<Real>(3, band_.compact_size() + band_.compact_size() / 4);
@@ -440,6 +444,7 @@ private:
     std::vector<std::uint8_t>
         inside_; ///< per tile: which cells lie on red's side, kept for cells outside the band
     std::vector<std::int32_t> force_slots_; ///< per tile: compact address of forces, -1 where there are none
+    std::vector<std::int32_t> colour_slots_; ///< per tile: of colours, -1 for tiles addressed for ghosts alone
     std::vector<Band::Seed> laid_out_core_;
     std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
     LayerSums sums_;
