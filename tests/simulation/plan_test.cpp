@@ -150,7 +150,7 @@ TEST_CASE("the plan reads side by side in lattice and SI units when the case has
     Case what = discocyte();
     what.scales = Scales{2e-7, 1e-8, 1000.0};
     const std::string text = plan_text(what, make_plan(what), std::nullopt, 1);
-    CHECK(says(text, "0.2 um"));
+    CHECK(says(text, "12.8 um x 12.8 um x 12.8 um"));
     CHECK(says(text, "3 um"));
     CHECK(says(text, "accepted, no warnings"));
     what.scales.reset();
