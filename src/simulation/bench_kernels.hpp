@@ -5,16 +5,17 @@
 
 namespace vesica {
 
-/// Directions of the velocity set, and numbers a cell moves per step when the populations are streamed in place:
-/// each is read once and written once.
+/// Directions of the velocity set, and numbers a cell moves per step when the populations are streamed in
+/// place: each is read once and written once.
 inline constexpr int bench_directions = 19;
 inline constexpr int bench_numbers_per_cell = 2 * bench_directions;
 
-/// A box of populations as a structure of arrays, one cell of margin on every side and one vector at the ends of the
-/// rows, so that the kernels need no special case at the edge. Directions lie `direction_stride` numbers apart, which
-/// is kept off the powers of two: with one, all nineteen streams fall into the same sets of the cache.
+/// A box of populations as a structure of arrays, one cell of margin on every side and one vector at the ends
+/// of the rows, so that the kernels need no special case at the edge. Directions lie `direction_stride`
+/// numbers apart, which is kept off the powers of two: with one, all nineteen streams fall into the same sets
+/// of the cache.
 struct BenchBox {
-    int cells_per_edge = 0;            ///< a multiple of 8
+    int cells_per_edge = 0; ///< a multiple of 8
     std::ptrdiff_t row_stride = 0;
     std::ptrdiff_t layer_stride = 0;
     std::ptrdiff_t direction_stride = 0;
@@ -31,14 +32,15 @@ struct BenchKernels {
     void (*fill)(const BenchBox& box, Real* f, int threads);
     /// f <- (f + 1)/2 over all numbers of all rows: as much memory traffic as a step can have at least.
     void (*read_modify_write)(const BenchBox& box, Real* f, int threads);
-    /// The AA pattern (Bailey et al. 2009) without collision. Even steps turn the populations round in their cell,
-    /// odd ones fetch them from the neighbours and push them on: one array, no second copy.
+    /// The AA pattern (Bailey et al. 2009) without collision. Even steps turn the populations round in their
+    /// cell, odd ones fetch them from the neighbours and push them on: one array, no second copy.
     void (*stream_even)(const BenchBox& box, Real* f, int threads);
     void (*stream_odd)(const BenchBox& box, Real* f, int threads);
     const char* instruction_set;
 };
 
-/// The kernels for `instruction_set` (empty: the best this machine has). Throws InputError for an unknown one.
+/// The kernels for `instruction_set` (empty: the best this machine has). Throws InputError for an unknown
+/// one.
 template <class Real>
 BenchKernels<Real> bench_kernels(const std::string& instruction_set = {});
 
