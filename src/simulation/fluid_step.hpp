@@ -85,6 +85,10 @@ private:
         }
     }
 
+    /// The default collision has a text of its own for cells without a force; for the others one text is
+    /// enough.
+    static constexpr bool without_force_is_faster = std::is_same_v<Collision, RegularisedCollision>;
+
     template <Streaming streaming>
     void step_row(std::int64_t first, const LayerInfluence<Real>& layer) const {
         for (int x = 0; x < grid_.size().x; x += tile_width) {
@@ -92,14 +96,15 @@ private:
             const std::int64_t tile = cell / tile_width;
             const V rate = layer.contrast ? local_rate(tile, layer) : V(rates_.outer);
             const std::int32_t slot = layer.force_slot != nullptr ? layer.force_slot[tile] : -1;
-            if (slot < 0) {
+            if (without_force_is_faster && slot < 0) {
                 collide<streaming>(cell, Vec3<V>{V(0), V(0), V(0)}, rate);
-            } else {
-                const Vec3<V> F{V::load(layer.force.component(0) + slot),
-                                V::load(layer.force.component(1) + slot),
-                                V::load(layer.force.component(2) + slot)};
-                collide<streaming>(cell, F, rate);
+                continue;
             }
+            Vec3<V> F{V(0), V(0), V(0)};
+            if (slot >= 0)
+                F = {V::load(layer.force.component(0) + slot), V::load(layer.force.component(1) + slot),
+                     V::load(layer.force.component(2) + slot)};
+            collide<streaming>(cell, F, rate);
         }
     }
 

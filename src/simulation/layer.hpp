@@ -67,7 +67,8 @@ public:
 
     std::size_t bytes() const {
         return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
-               (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) + core_bits_.capacity();
+               (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) +
+               core_bits_.capacity();
     }
 
     /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid
@@ -273,10 +274,7 @@ private:
             const V K = V::load(fields_.K0.data() + t.slot());
             const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
             const V layer = layer_density(V::load(fields_.chi.data() + t.slot()));
-            // J carries the mid-surface's force onto the parallel surface through the cell (one in the
-            // paper's recipe).
-            const V J = V::load(fields_.J.data() + t.slot());
-            const Vec3<V> F = spread_force_(layer, phase_gradient(t), J * normal_force);
+            const Vec3<V> F = spread_force_(layer, phase_gradient(t), normal_force);
             const auto here = V::mask(t.bits[reach::force]);
             select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
             select<Real>(here, F.y, V(0)).store(force.component(1) + t.slot());
@@ -297,7 +295,7 @@ private:
 
     V density_of(const V (&g)[direction_count]) const {
         V sum = g[0];
-        for_each_pair([&](auto i) { sum += g[i] + g[opposite(decltype(i)::value)]; });
+        for_each_pair([&](auto i) VESICA_INLINE_LAMBDA { sum += g[i] + g[opposite(decltype(i)::value)]; });
         return V(settings_.reference_density) + sum;
     }
 
@@ -312,8 +310,9 @@ private:
         const Vec3<const Real*> w{fields_.w[0].data(), fields_.w[1].data(), fields_.w[2].data()};
         for_tiles(reach::receiving, threads, [&](const BandTile& t, std::size_t, int thread) {
             V g[direction_count];
-            for_each_direction(
-                [&](auto i) { g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell)); });
+            for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
+                g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
+            });
             const ColourDensities<V> arrived =
                 gather_colours(g, V(settings_.reference_density),
                                TileAround<Real>{fields_.chi.data(), t.rows}, FluxAround<Real>{w, t.rows});
@@ -444,7 +443,8 @@ private:
     std::vector<std::uint8_t>
         inside_; ///< per tile: which cells lie on red's side, kept for cells outside the band
     std::vector<std::int32_t> force_slots_; ///< per tile: compact address of forces, -1 where there are none
-    std::vector<std::int32_t> colour_slots_; ///< per tile: of colours, -1 for tiles addressed for ghosts alone
+    std::vector<std::int32_t>
+        colour_slots_; ///< per tile: of colours, -1 for tiles addressed for ghosts alone
     std::vector<Band::Seed> laid_out_core_;
     std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
     LayerSums sums_;

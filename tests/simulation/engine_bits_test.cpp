@@ -115,7 +115,7 @@ TEST_CASE("a box side that is no multiple of the tile, or shorter than one, give
 }
 
 TEST_CASE("instruction sets agree to 1e-10 over a thousand steps") {
-    const Parameters parameters = deforming_spheroid(24, 5.5);
+    const Parameters parameters = deforming_spheroid(26, 6.5);
     const auto best = make_engine(parameters, 2);
     const auto baseline = make_engine(parameters, 2, "baseline");
     if (best->instruction_set() == "baseline")

@@ -30,15 +30,14 @@ Parameters drop(int edge, double radius, double sigma, double viscosity) {
 } // namespace
 
 TEST_CASE("mass and momentum budgets close over ten thousand steps") {
-    const Parameters parameters = deforming_spheroid(20, 4.5);
-    const auto engine = make_engine(parameters, 2);
+    const auto engine = make_engine(drop(18, 5.5, 1e-3, 1.0 / 6.0), 2);
     const double mass_before = sum(engine->field("density").values);
     const double colour_before = engine->snapshot().vesicles[0].colour_mass;
     run(*engine, 10000);
-    const double cells = 20.0 * 20.0 * 20.0;
+    const double cells = 18.0 * 18.0 * 18.0;
     CHECK(std::abs(sum(engine->field("density").values) - mass_before) < 1e-11 * cells);
     CHECK(engine->snapshot().vesicles[0].colour_mass == Approx(colour_before).epsilon(1e-11));
-    // The layer's forces on a closed membrane add up to nothing: no spheroid may swim.
+    // The layer's forces on a closed surface add up to nothing: no drop may swim.
     const DenseField velocity = engine->field("velocity");
     const DenseField density = engine->field("density");
     Vec3<double> momentum;
@@ -49,11 +48,11 @@ TEST_CASE("mass and momentum budgets close over ten thousand steps") {
 }
 
 TEST_CASE("single precision keeps a vesicle's colour to 1e-5") {
-    Parameters parameters = deforming_spheroid(24, 5.5);
+    Parameters parameters = deforming_spheroid(28, 7.0);
     parameters.numerics.precision = Precision::single_precision;
     const auto engine = make_engine(parameters, 2);
     const double before = engine->snapshot().vesicles[0].colour_mass;
-    run(*engine, 5000);
+    run(*engine, 2000);
     CHECK(engine->snapshot().vesicles[0].colour_mass == Approx(before).epsilon(1e-5));
 }
 
@@ -166,7 +165,7 @@ TEST_CASE("a flat membrane's bending modes decay at kappa q^3/(4 eta) beyond wha
         run(*engine, 3000);
         return std::log(first / amplitude()) / 3000.0;
     };
-    const double kappa = 1.0;
+    const double kappa = 0.3; // slow beside nu q^2: the law is that of creeping flow
     const double expected = kappa * q * q * q / (4 * 0.5);
     const double measured = rate_of_decay(kappa) - rate_of_decay(0.0);
     INFO("measured " << measured << " expected " << expected);

@@ -24,14 +24,17 @@ Layer<double> layer_of(const PolarSurface& surface, const Membrane& membrane) {
         box, [&](const Vec3<double>& x) { return surface.signed_distance(x - centre); }, membrane);
 }
 
-/// Work of the layer's forces when the surface's a2 grows at unit rate: sum F.dx/da2 with dx = R P2 e_r.
+/// Work of the layer's forces when the surface's a2 grows at unit rate: sum F.dx/da2. The displacement R P2
+/// e_r of the surface is continued through the layer as an incompressible fluid does it, like 1/r^2 along
+/// each ray.
 double power_of_forces(const PolarSurface& surface, const Membrane& membrane) {
     const Vec3<double> centre = centre_of(box_for(surface.radius));
     double power = 0.0;
     for_each_force(layer_of(surface, membrane), [&](const Vec3<double>& x, const Vec3<double>& F) {
         const Vec3<double> r = x - centre;
         const double distance = norm(r);
-        power += surface.radius * PolarSurface::p2(r.z / distance) * dot(F, r) / distance;
+        const double thinning = std::pow(surface.r(std::acos(r.z / distance)) / distance, 2);
+        power += surface.radius * PolarSurface::p2(r.z / distance) * thinning * dot(F, r) / distance;
     });
     return power;
 }

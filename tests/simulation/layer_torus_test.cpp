@@ -32,11 +32,13 @@ struct Torus {
 };
 
 struct TorusErrors {
-    double force = 0.0;    ///< rms over bins of the tube angle, over the exact rms
+    double force =
+        0.0; ///< of the pressure jump sustained: rms over bins of the tube angle, over the exact rms
     double area = 0.0;     ///< raw area over 4 pi^2 R a - 1
     double gaussian = 0.0; ///< int K dA/(4 pi)
 };
 
+/// The jump is the layer's force carried to the mid-surface by J = dA(0)/dA(s), per area of the mid-surface.
 /// Averaged over positions of the torus between lattice planes: a bin holds few of them.
 TorusErrors measure_torus(double R, GeometryRecipe recipe) {
     const Torus torus{R, R / 2};
@@ -48,6 +50,9 @@ TorusErrors measure_torus(double R, GeometryRecipe recipe) {
     for (int q = 0; q < places; ++q) {
         const Vec3<double> centre{width / 2.0 + 0.13 + 0.31 * q, width / 2.0 - 0.21 + 0.17 * q,
                                   height / 2.0 + (q + 0.5) / places};
+        const auto r_of = [&](const Vec3<double>& x) {
+            return x - centre;
+        };
         const auto angles = [&](const Vec3<double>& x) {
             const Vec3<double> r = x - centre;
             return std::pair{std::atan2(r.z, std::hypot(r.x, r.y) - R), std::atan2(r.y, r.x)};
@@ -68,7 +73,9 @@ TorusErrors measure_torus(double R, GeometryRecipe recipe) {
             const Vec3<double> n{std::cos(theta) * std::cos(azimuth), std::cos(theta) * std::sin(azimuth),
                                  std::sin(theta)};
             const int bin = std::min(bins - 1, static_cast<int>((theta + pi) / (2 * pi) * bins));
-            force[bin] += dot(F, n) / places;
+            const double radius = std::hypot(std::hypot(r_of(x).x, r_of(x).y) - R, r_of(x).z);
+            const double J = torus.a / radius * torus.width(theta) / (R + radius * std::cos(theta));
+            force[bin] += J * dot(F, n) / places;
         });
         errors.area += (layer.sums().raw_area / (4 * pi * pi * R * torus.a) - 1.0) / places;
         errors.gaussian += layer.sums().gaussian_curvature / (4 * pi) / places;
