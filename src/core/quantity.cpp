@@ -100,7 +100,7 @@ std::string to_text(const Quantity& quantity) {
     constexpr std::array<Prefix, 5> prefixes{
         {{1.0, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}}};
     const double magnitude = std::abs(quantity.value);
-    if (prefixed && magnitude >= 1e-12 && magnitude < 1e3) {
+    if (prefixed && magnitude >= 1e-12) {
         for (const Prefix& prefix : prefixes) {
             if (magnitude >= prefix.factor * (1.0 - 1e-9))
                 return fmt::format("{:.6g} {}{}", quantity.value / prefix.factor, prefix.symbol, unit);

@@ -286,8 +286,9 @@ TEST_CASE("a file that is no case is refused for what it is") {
     CHECK(file_verdict(folder.write("zero.toml", std::string("title = \"\"\nx\0y", 14))) ==
           "FILE:2:2" + binary);
     for (const std::string& bytes :
-         {std::string("\xff"), std::string("\xc0\xaf"), std::string("\xed\xa0\x80"),
-          std::string("\xf4\x90\x80\x80"), std::string("\xe2\x82"), std::string("\x80")}) {
+         {std::string("\xff"), std::string("\xc0\xaf"), std::string("\xe0\x80\x80"),
+          std::string("\xf0\x80\x80\x80"), std::string("\xed\xa0\x80"), std::string("\xf4\x90\x80\x80"),
+          std::string("\xe2\x82"), std::string("\x80")}) {
         CHECK(file_verdict(folder.write("latin.toml", "title = \"" + bytes)) == "FILE:1:10" + binary);
     }
     const std::string filler(100, '#');
@@ -298,6 +299,12 @@ TEST_CASE("a file that is no case is refused for what it is") {
           "FILE: the file has more than 4 MiB; expected a case file; try a smaller one");
     large.resize(4U << 20U);
     CHECK(file_verdict(folder.write("large.toml", large)) == "accepted");
+}
+
+TEST_CASE("of several mistakes the first in the file is named") {
+    CHECK(verdict(changed("[lattice]", "[lattice]\nzebra = 1\nape = 2"))
+              .starts_with("case.toml:4:1: lattice.zebra "));
+    CHECK(verdict(changed("[lattice]", "[zebra]\n[ape]\n[lattice]")).starts_with("case.toml:3:2: zebra "));
 }
 
 TEST_CASE("line ends of other systems and a byte order mark do not matter") {

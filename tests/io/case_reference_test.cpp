@@ -55,6 +55,7 @@ TEST_CASE("the nearest known path is the one that was meant") {
     CHECK(nearest_case_path("viscosity_ratio") == "vesicle_type.*.viscosity_ratio");
     CHECK(nearest_case_path("vesicle[].raduis") == "vesicle[].radius");
     CHECK(nearest_case_path("vesicle[].reduced_volum") == "vesicle[].reduced_volume");
+    CHECK(nearest_case_path("vesicle[].pert") == "vesicle[].perturbation[]");
     CHECK(nearest_case_path("vesicles") == "vesicle[]");
     CHECK(nearest_case_path("output.checkpoints") == "output.checkpoint");
     CHECK(nearest_case_path("run.walltime") == "run.wall_time");

@@ -255,5 +255,14 @@ TEST_CASE("a value out of its range is refused") {
         {"ghost_rates = \"regularised\"", "ghost_rates = { even = 1.0, odd = 2.0 }",
          "case.toml:13:35: fluid.collision.ghost_rates.odd is 2.0; expected a number above 0 and below 2; "
          "try odd = 1.0"},
+        {"centre = [32, 32, 32]", "centre = [32, nan, 32]",
+         "case.toml:31:15: vesicle[0].centre[1] is nan; expected three numbers of length; try centre = [32, "
+         "32, 32]"},
+        {"centre = [32, 32, 32]", "centre = [32, 32, inf]",
+         "case.toml:31:19: vesicle[0].centre[2] is inf; expected three numbers of length; try centre = [32, "
+         "32, 32]"},
+        {"axis = [0, 0, 1]", "axis = [0, 0, inf]",
+         "case.toml:33:15: vesicle[0].axis[2] is inf; expected three numbers, not all zero; try axis = [0, "
+         "0, 1]"},
     });
 }
