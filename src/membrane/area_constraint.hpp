@@ -13,9 +13,9 @@ struct AreaTarget {
     double final = 0.0;
     std::int64_t ramp = 0; ///< steps
 
-    double at(std::int64_t step) const
-    {
-        if (step >= ramp) return final;
+    double at(std::int64_t step) const {
+        if (step >= ramp)
+            return final;
         return initial + (final - initial) * (static_cast<double>(step) / static_cast<double>(ramp));
     }
 };
@@ -34,11 +34,12 @@ struct PaperAreaPenalty {
     double tension(double area, double target) const { return 0.5 * alpha * area * (area - target); }
 };
 
-/// The tension that holds A = A_target(t), by a proportional-integral-derivative law on the relative excess area e:
+/// The tension that holds A = A_target(t), by a proportional-integral-derivative law on the relative excess
+/// area e:
 ///   sigma_A = K (e + (1/T_i) int e dt + T_d de/dt).
-/// K stays below eta R per step, where an explicit area spring becomes unstable. Compression is limited to what
-/// buckles a sphere into its l = 2 mode only (-12 < (sigma + sigma_A) R^2/kappa): beyond, wrinkles and starfish grow
-/// faster than the shape wanted. While the limit acts the integral is frozen.
+/// K stays below eta R per step, where an explicit area spring becomes unstable. Compression is limited to
+/// what buckles a sphere into its l = 2 mode only (-12 < (sigma + sigma_A) R^2/kappa): beyond, wrinkles and
+/// starfish grow faster than the shape wanted. While the limit acts the integral is frozen.
 class AreaMultiplier {
 public:
     struct Gains {
@@ -48,7 +49,7 @@ public:
         double lowest_tension = 0.0;  ///< of sigma_A
     };
     struct State {
-        double integral = 0.0;        ///< int e dt, steps
+        double integral = 0.0; ///< int e dt, steps
         double previous_excess = 0.0;
         bool started = false;
     };
@@ -56,8 +57,7 @@ public:
     AreaMultiplier() = default;
     explicit AreaMultiplier(const Gains& gains) : gains_(gains) {}
 
-    double tension(double area, double target)
-    {
+    double tension(double area, double target) {
         const double excess = (area - target) / target;
         const double rate = state_.started ? excess - state_.previous_excess : 0.0;
         state_.previous_excess = excess;
@@ -68,7 +68,8 @@ public:
                    (excess + sum / gains_.integral_time + gains_.derivative_time * rate);
         };
         const double wanted = law(integral);
-        if (wanted >= gains_.lowest_tension || excess > 0.0) state_.integral = integral;
+        if (wanted >= gains_.lowest_tension || excess > 0.0)
+            state_.integral = integral;
         return std::max(wanted, gains_.lowest_tension);
     }
 

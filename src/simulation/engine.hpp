@@ -18,8 +18,8 @@ namespace vesica {
 struct Trouble {
     std::int64_t step = 0;
     Vec3<int> cell{};
-    int vesicle = -1;      ///< -1: not in a vesicle's layer
-    std::string cause;     ///< density, speed, force or tension, with the number found and the one expected
+    int vesicle = -1;  ///< -1: not in a vesicle's layer
+    std::string cause; ///< density, speed, force or tension, with the number found and the one expected
 };
 
 /// One running simulation in one precision on one instruction set. Its implementation is chosen once, at
@@ -55,6 +55,7 @@ const std::vector<std::string>& field_names();
 
 /// Builds the engine for these parameters and fills it with the initial state.
 /// `instruction_set` is empty for the best one this machine has, or baseline, avx2, avx512.
-std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads, std::string_view instruction_set = {});
+std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
+                                    std::string_view instruction_set = {});
 
 } // namespace vesica

@@ -14,8 +14,8 @@ namespace vesica {
 /// The colours a run starts from: phi = -tanh(beta s) about a shape's surface, in a periodic box.
 class InitialColours {
 public:
-    InitialColours(const Grid& grid, std::shared_ptr<const Shape> shape, const Vec3<double>& centre, double beta,
-                   double cutoff);
+    InitialColours(const Grid& grid, std::shared_ptr<const Shape> shape, const Vec3<double>& centre,
+                   double beta, double cutoff);
 
     /// Cells whose 1 - phi^2 exceeds the cutoff.
     const std::vector<Band::Seed>& core() const { return core_; }

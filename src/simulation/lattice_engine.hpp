@@ -26,25 +26,23 @@ struct MakeFluidStep {
     const EngineSetup& setup;
 
     AnyFluidStep<Real> operator()(const RegularisedGhosts&) const { return make(RegularisedCollision{}); }
-    AnyFluidStep<Real> operator()(const TrtGhosts& ghosts) const
-    {
+    AnyFluidStep<Real> operator()(const TrtGhosts& ghosts) const {
         return make(SymmetricMrt<TwoRelaxationTimes>{{ghosts.magic}});
     }
-    AnyFluidStep<Real> operator()(const SymmetricGhosts& ghosts) const
-    {
+    AnyFluidStep<Real> operator()(const SymmetricGhosts& ghosts) const {
         return make(SymmetricMrt<FreeGhostRates>{
             {ghosts.odd_vector, ghosts.odd_twist, ghosts.even_scalar, ghosts.even_tensor}});
     }
-    AnyFluidStep<Real> operator()(const PaperGhosts& ghosts) const
-    {
+    AnyFluidStep<Real> operator()(const PaperGhosts& ghosts) const {
         return make(PaperMrt{ghosts.l10, ghosts.l11, ghosts.l14, ghosts.l17});
     }
-    AnyFluidStep<Real> operator()(const BgkGhosts&) const { return make(SymmetricMrt<SingleRelaxationTime>{}); }
+    AnyFluidStep<Real> operator()(const BgkGhosts&) const {
+        return make(SymmetricMrt<SingleRelaxationTime>{});
+    }
 
 private:
     template <class Collision>
-    AnyFluidStep<Real> make(const Collision& collision) const
-    {
+    AnyFluidStep<Real> make(const Collision& collision) const {
         return FluidStep<Real, Collision>(grid, f, collision, setup.rates, setup.reference_density);
     }
 };
@@ -62,12 +60,13 @@ public:
           f_(populations_.view(), grid_),
           fluid_(std::visit(MakeFluidStep<Real>{grid_, f_, setup}, setup.ghosts)),
           layer_(grid_, setup.layer),
-          membrane_(setup.membrane)
-    {
+          membrane_(setup.membrane) {
         fill_at_rest();
         if (setup_.colours != nullptr) {
-            layer_.place(setup_.colours->core(), [&](std::int64_t cell) { return static_cast<Real>(setup_.colours->chi_at(cell)); },
-                         setup_.colours->inside());
+            layer_.place(
+                setup_.colours->core(),
+                [&](std::int64_t cell) { return static_cast<Real>(setup_.colours->chi_at(cell)); },
+                setup_.colours->inside());
             layer_.weigh(f_, streaming_, setup_.threads);
             layer_.locate(setup_.threads);
             find_geometry();
@@ -76,20 +75,20 @@ public:
         }
     }
 
-    void step() override
-    {
+    void step() override {
         const int threads = setup_.threads;
-        collide_and_stream();                      // feeling the membrane's force
-        if (layer_.empty()) return;
+        collide_and_stream(); // feeling the membrane's force
+        if (layer_.empty())
+            return;
         layer_.transport(f_, streaming_, threads); // colours follow, segregated
         layer_.locate(threads);                    // where is the surface, how large is it
         if (layer_.core_has_left()) {
             layer_.follow_core(f_, streaming_, threads);
             layer_.locate(threads);
         }
-        find_geometry();                           // normals, curvatures
-        hold_area();                               // tension of the area constraint
-        layer_.forces(membrane_, threads);         // bending and tension, on the fluid
+        find_geometry();                   // normals, curvatures
+        hold_area();                       // tension of the area constraint
+        layer_.forces(membrane_, threads); // bending and tension, on the fluid
     }
 
     std::int64_t steps_done() const override { return step_; }
@@ -100,8 +99,7 @@ public:
     void load(const EngineState& state) override;
 
     std::size_t bytes_allocated() const override { return populations_.bytes() + layer_.bytes(); }
-    double interface_fraction() const override
-    {
+    double interface_fraction() const override {
         return static_cast<double>(layer_.band().cell_count()) / static_cast<double>(grid_.volume());
     }
     std::string_view instruction_set() const override { return setup_.instruction_set; }
@@ -113,15 +111,13 @@ private:
         double density = 1.0;
     };
 
-    void find_geometry()
-    {
+    void find_geometry() {
         layer_.normals(setup_.threads);
         layer_.curvatures(setup_.threads);
         layer_.slopes(setup_.threads);
     }
 
-    void collide_and_stream()
-    {
+    void collide_and_stream() {
         std::visit([&](const auto& fluid) { fluid(streaming_, influence(), setup_.threads); }, fluid_);
         streaming_ = after_step(streaming_);
         ++step_;
@@ -130,18 +126,17 @@ private:
     void hold_area() { membrane_.hold_area(corrected_area(), step_); }
 
     /// The measured area without the layer's excess, as measure/layer_moment.hpp states it.
-    double corrected_area() const
-    {
+    double corrected_area() const {
         const double spheres = std::round(layer_.sums().gaussian_curvature / (4.0 * pi));
         const LayerMoments& excess = setup_.layer_moments;
         return layer_.sums().raw_area - 4.0 * pi * spheres * excess.area -
                excess.bending * layer_.sums().square_mean_curvature;
     }
 
-    LayerInfluence<Real> influence() const
-    {
+    LayerInfluence<Real> influence() const {
         LayerInfluence<Real> influence;
-        if (layer_.empty()) return influence;
+        if (layer_.empty())
+            return influence;
         influence.force_slot = layer_.force_slots().data();
         influence.force = layer_.force().view();
         influence.contrast = setup_.rates.inner != setup_.rates.outer;
@@ -151,26 +146,27 @@ private:
         return influence;
     }
 
-    void fill_at_rest()
-    {
+    void fill_at_rest() {
         const FieldView<Real> f = populations_.view();
         const std::int64_t row = grid_.row_stride();
         for_each_index(grid_.rows(), setup_.threads, [&](std::int64_t r) {
-            for (int i = 0; i < direction_count; ++i) std::fill_n(f.component(i) + r * row, row, Real(0));
+            for (int i = 0; i < direction_count; ++i)
+                std::fill_n(f.component(i) + r * row, row, Real(0));
         });
     }
 
-    Moments<double> moments_at(std::int64_t cell) const
-    {
+    Moments<double> moments_at(std::int64_t cell) const {
         double g[direction_count];
-        for (int i = 0; i < direction_count; ++i) g[i] = static_cast<double>(*f_.find(streaming_, i, cell));
+        for (int i = 0; i < direction_count; ++i)
+            g[i] = static_cast<double>(*f_.find(streaming_, i, cell));
         return moments_of(g);
     }
 
-    Vec3<double> force_at(std::int64_t cell) const
-    {
-        const std::int32_t slot = layer_.empty() ? -1 : layer_.force_slots()[static_cast<std::size_t>(cell / tile_width)];
-        if (slot < 0) return {};
+    Vec3<double> force_at(std::int64_t cell) const {
+        const std::int32_t slot =
+            layer_.empty() ? -1 : layer_.force_slots()[static_cast<std::size_t>(cell / tile_width)];
+        if (slot < 0)
+            return {};
         const auto at = slot + cell % tile_width;
         const FieldView<const Real> F = layer_.force().view();
         return {static_cast<double>(F.component(0)[at]), static_cast<double>(F.component(1)[at]),
@@ -185,12 +181,12 @@ private:
 
     /// body(place in canonical order z, y, x; index in the grid)
     template <class Body>
-    void for_each_cell_of_box(const Body& body) const
-    {
+    void for_each_cell_of_box(const Body& body) const {
         std::size_t at = 0;
         for (int z = 0; z < grid_.size().z; ++z)
             for (int y = 0; y < grid_.size().y; ++y)
-                for (int x = 0; x < grid_.size().x; ++x) body(at++, grid_.index(x, y, z));
+                for (int x = 0; x < grid_.size().x; ++x)
+                    body(at++, grid_.index(x, y, z));
     }
 
     static constexpr double pi = 3.14159265358979323846;

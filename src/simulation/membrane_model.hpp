@@ -19,15 +19,14 @@ using AreaLaw = std::variant<FreeArea, AreaMultiplier, AreaPenalty, PaperAreaPen
 /// The membrane of one vesicle: its laws and what they remember.
 struct Membrane {
     BendingLaw bending;
-    double sigma = 0.0;            ///< constant tension
+    double sigma = 0.0; ///< constant tension
     AreaLaw area;
     AreaTarget target;
     double constraint_tension = 0.0; ///< sigma_A at present
 
     double tension() const { return sigma + constraint_tension; }
 
-    void hold_area(double area_now, std::int64_t step)
-    {
+    void hold_area(double area_now, std::int64_t step) {
         constraint_tension =
             std::visit([&](auto& law) { return law.tension(area_now, target.at(step)); }, area);
     }
