@@ -47,6 +47,15 @@ TEST_CASE("the largest diameter of a sphere and of spheroids is found within a t
           Approx(32.0).epsilon(1e-3));
 }
 
+TEST_CASE("surface points are the feet of the cells close to the surface, two reaches per unit area",
+          "[measure]") {
+    const exact::Sphere sphere{{0.2, 0.4, 0.1}, 12.0};
+    const auto points = surface_points(exact::snapshot_of(sphere, {0, 0, 0}, 28), 0.5);
+    CHECK(static_cast<double>(points.size()) == Approx(4.0 * std::numbers::pi * 144.0).epsilon(0.02));
+    for (const Vec3<double>& point : points)
+        REQUIRE(std::abs(sphere(point).s) < 1e-12);
+}
+
 TEST_CASE("the deformation index is zero at rest and one for a thread", "[measure]") {
     CHECK(deformation_index(30.0, 30.0) == 0.0);
     CHECK(deformation_index(60.0, 30.0) == Approx(0.6));

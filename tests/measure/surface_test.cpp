@@ -76,6 +76,12 @@ TEST_CASE("any signs on the nodes give a closed surface, zeros included", "[meas
         const SurfaceMesh mesh = extract_surface(block);
         CHECK(is_closed(mesh));
         CHECK(mesh_volume(mesh) > 0.0);
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Vec3<double> normal =
+                cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+            REQUIRE(norm(normal) >
+                    1e-9); // degenerate to a point where several nodes are zero, if not kept apart
+        }
     }
 }
 
