@@ -111,3 +111,40 @@ TEST_CASE("on a cylinder Lap_s of cos(m theta) cos(k z) is -(m^2/R^2 + k^2) time
               Approx(-(9.0 / (R * R) + 0.64) * q(x)).margin(1e-5));
     }
 }
+
+TEST_CASE("from any parallel surface the flux gives Lap_s on phi = 0: sphere and cylinder", "[geometry]")
+{
+    const double R = 4.0;
+    for (const double s : {-1.0, 0.0, 0.7}) {
+        const auto lap_on_mid_surface = [&](const auto& q, const auto& n_of, const Vec3<double>& x) {
+            const auto G_of = [&](const Vec3<double>& y) { return derivatives(n_of, y, 1e-5); };
+            const auto J_of = [&](const Vec3<double>& y) {
+                const Jacobian<double> G = G_of(y);
+                const Vec3<double> n = n_of(y);
+                const double H = 0.5 * G.divergence();
+                const double K = n.z == 0.0 ? 0.0 : H * H; // cylinder and sphere
+                return 1.0 - 2.0 * s * H + s * s * K;
+            };
+            const auto flux = [&](const Vec3<double>& y) {
+                const Vec3<double> n = n_of(y);
+                return flux_on_mid_surface(tangential(derivative(q, y, fine), n), G_of(y), n, s, J_of(y));
+            };
+            return surface_divergence(derivatives(flux, x, 1e-3), n_of(x)) / J_of(x);
+        };
+        const auto on_sphere = [](const Vec3<double>& y) {
+            const Vec3<double> e = unit_vector(y);
+            return e.x * e.y * e.z; // l = 3
+        };
+        const Vec3<double> direction = unit_vector(Vec3<double>{1.0, -0.7, 0.4});
+        const Vec3<double> x = (R + s) * direction;
+        CHECK(lap_on_mid_surface(on_sphere, [](const Vec3<double>& y) { return unit_vector(y); }, x) ==
+              Approx(-12.0 / (R * R) * on_sphere(x)).epsilon(1e-4));
+
+        const auto on_cylinder = [](const Vec3<double>& y) {
+            return std::cos(3.0 * std::atan2(y.y, y.x)) * std::cos(0.8 * y.z);
+        };
+        const Vec3<double> c{(R + s) * std::cos(0.3), (R + s) * std::sin(0.3), 0.4};
+        CHECK(lap_on_mid_surface(on_cylinder, [](const Vec3<double>& y) { return unit_vector(Vec3<double>{y.x, y.y, 0.0}); },
+                                 c) == Approx(-(9.0 / (R * R) + 0.64) * on_cylinder(c)).epsilon(1e-4));
+    }
+}

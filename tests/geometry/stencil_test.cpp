@@ -107,3 +107,13 @@ TEST_CASE("the Jacobian's rows are the gradients of the components", "[geometry]
     const Vec3<double> n{0.6, 0.0, 0.8};
     CHECK(J.normal_component(n) == Approx(0.36 * 1 + 0.48 * (3 + 7) + 0.64 * 9));
 }
+
+TEST_CASE("the gradient of a sharpened field is fourth order", "[geometry]")
+{
+    const auto error = [&](double h) {
+        const auto sharp = [&](const Vec3<double>& x) { return sharpened<double>(around(wave, x, h), 1.0); };
+        return norm((1.0 / h) * gradient<double>(around(sharp, point, h)) - wave_gradient(point));
+    };
+    CHECK(std::log2(error(0.2) / error(0.1)) == Approx(4.0).margin(0.1));
+    CHECK(std::log2(error(0.1) / error(0.05)) == Approx(4.0).margin(0.1));
+}
