@@ -13,8 +13,8 @@ static_assert(CollisionModel<SymmetricMrt<FreeGhostRates>>);
 static_assert(CollisionModel<PaperMrt>);
 static_assert(!CollisionModel<FreeGhostRates>);
 
-TEST_CASE("a collision keeps the mass and changes the momentum by the force, whatever its rates", "[collision]")
-{
+TEST_CASE("a collision keeps the mass and changes the momentum by the force, whatever its rates",
+          "[collision]") {
     for_each_collision([](const auto& collision, const char* name) {
         INFO(name);
         std::mt19937_64 random(1);
@@ -29,8 +29,7 @@ TEST_CASE("a collision keeps the mass and changes the momentum by the force, wha
     });
 }
 
-TEST_CASE("the equilibrium is the fixed point of every collision", "[collision]")
-{
+TEST_CASE("the equilibrium is the fixed point of every collision", "[collision]") {
     for_each_collision([](const auto& collision, const char* name) {
         INFO(name);
         std::mt19937_64 random(2);
@@ -45,8 +44,7 @@ TEST_CASE("the equilibrium is the fixed point of every collision", "[collision]"
 }
 
 TEST_CASE("uniform fluid under a uniform force gains exactly F per step in its velocity u = (j + F/2)/rho",
-          "[collision]")
-{
+          "[collision]") {
     for_each_collision([](const auto& collision, const char* name) {
         INFO(name);
         Cell cell;
@@ -54,24 +52,26 @@ TEST_CASE("uniform fluid under a uniform force gains exactly F per step in its v
         cell.rate = 0.8;
         cell.before = equilibrium(1.0, 1.0, {0.01, 0.0, -0.02});
         const Vec3<double> start = velocity_of(moments_of(cell.before.g), 1.0, cell.force);
-        for (int step = 0; step < 10; ++step) cell.before = collided(collision, cell);
+        for (int step = 0; step < 10; ++step)
+            cell.before = collided(collision, cell);
         const Vec3<double> end = velocity_of(moments_of(cell.before.g), 1.0, cell.force);
         CHECK(norm(end - start - 10.0 * cell.force) < 1e-15);
     });
 }
 
-TEST_CASE("single precision collides as double precision does, to its own round-off", "[collision]")
-{
+TEST_CASE("single precision collides as double precision does, to its own round-off", "[collision]") {
     for_each_collision([](const auto& collision, const char* name) {
         INFO(name);
         std::mt19937_64 random(3);
         const Cell cell = random_cell(random);
         const Populations after = collided(collision, cell);
         float g[direction_count];
-        for (int i = 0; i < direction_count; ++i) g[i] = static_cast<float>(cell.before[i]);
+        for (int i = 0; i < direction_count; ++i)
+            g[i] = static_cast<float>(cell.before[i]);
         const Vec3<float> F{static_cast<float>(cell.force.x), static_cast<float>(cell.force.y),
                             static_cast<float>(cell.force.z)};
         collision(g, F, static_cast<float>(cell.rate), static_cast<float>(cell.rho0));
-        for (int i = 0; i < direction_count; ++i) CHECK(std::abs(static_cast<double>(g[i]) - after[i]) < 1e-7);
+        for (int i = 0; i < direction_count; ++i)
+            CHECK(std::abs(static_cast<double>(g[i]) - after[i]) < 1e-7);
     });
 }

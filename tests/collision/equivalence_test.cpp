@@ -5,8 +5,7 @@
 using namespace vesica;
 using namespace vesica::sample;
 
-TEST_CASE("ghost rates of one are the regularised collision", "[collision]")
-{
+TEST_CASE("ghost rates of one are the regularised collision", "[collision]") {
     std::mt19937_64 random(1);
     for (int trial = 0; trial < 100; ++trial) {
         const Cell cell = random_cell(random);
@@ -15,8 +14,8 @@ TEST_CASE("ghost rates of one are the regularised collision", "[collision]")
     }
 }
 
-TEST_CASE("the regularised collision forgets the ghosts: what follows is a function of ten moments", "[collision]")
-{
+TEST_CASE("the regularised collision forgets the ghosts: what follows is a function of ten moments",
+          "[collision]") {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> any(-0.05, 0.05);
     for (int trial = 0; trial < 100; ++trial) {
@@ -27,20 +26,18 @@ TEST_CASE("the regularised collision forgets the ghosts: what follows is a funct
             for (int i = 0; i < direction_count; ++i)
                 haunted.before[i] += amplitude * weight(i) * ghost_mode(mode, i);
         }
-        CHECK(largest_difference(collided(RegularisedCollision{}, haunted), collided(RegularisedCollision{}, cell)) <
-              2e-16);
+        CHECK(largest_difference(collided(RegularisedCollision{}, haunted),
+                                 collided(RegularisedCollision{}, cell)) < 2e-16);
     }
 }
 
-TEST_CASE("rates of one in the paper's basis are another operator than the regularised one", "[collision]")
-{
+TEST_CASE("rates of one in the paper's basis are another operator than the regularised one", "[collision]") {
     std::mt19937_64 random(3);
     const Cell cell = random_cell(random);
     CHECK(largest_difference(collided(PaperMrt{}, cell), collided(RegularisedCollision{}, cell)) > 1e-4);
 }
 
-TEST_CASE("two relaxation times are the same in the paper's basis and in the symmetric one", "[collision]")
-{
+TEST_CASE("two relaxation times are the same in the paper's basis and in the symmetric one", "[collision]") {
     std::mt19937_64 random(4);
     for (const double magic : {3.0 / 16.0, 0.25})
         for (int trial = 0; trial < 100; ++trial) {
@@ -54,8 +51,7 @@ TEST_CASE("two relaxation times are the same in the paper's basis and in the sym
         }
 }
 
-TEST_CASE("one relaxation time is f + lambda (feq - f) + (1 - lambda/2) Guo's term", "[collision]")
-{
+TEST_CASE("one relaxation time is f + lambda (feq - f) + (1 - lambda/2) Guo's term", "[collision]") {
     std::mt19937_64 random(5);
     for (int trial = 0; trial < 100; ++trial) {
         const Cell cell = random_cell(random);
@@ -66,13 +62,12 @@ TEST_CASE("one relaxation time is f + lambda (feq - f) + (1 - lambda/2) Guo's te
         for (int i = 0; i < direction_count; ++i)
             expected[i] += cell.rate * (target[i] - cell.before[i]) + (1.0 - 0.5 * cell.rate) * source[i];
         CHECK(largest_difference(collided(SymmetricMrt<SingleRelaxationTime>{}, cell), expected) < 1e-15);
-        CHECK(largest_difference(collided(PaperMrt{cell.rate, cell.rate, cell.rate, cell.rate}, cell), expected) <
-              1e-15);
+        CHECK(largest_difference(collided(PaperMrt{cell.rate, cell.rate, cell.rate, cell.rate}, cell),
+                                 expected) < 1e-15);
     }
 }
 
-TEST_CASE("each family of ghosts decays with its own rate and leaves the others alone", "[collision]")
-{
+TEST_CASE("each family of ghosts decays with its own rate and leaves the others alone", "[collision]") {
     const FreeGhostRates rates{1.1, 1.3, 0.9, 1.7};
     std::mt19937_64 random(6);
     for (int trial = 0; trial < 20; ++trial) {

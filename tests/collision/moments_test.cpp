@@ -6,8 +6,7 @@
 using namespace vesica;
 using namespace vesica::sample;
 
-TEST_CASE("the ten moments are the sums they are named after", "[collision]")
-{
+TEST_CASE("the ten moments are the sums they are named after", "[collision]") {
     std::mt19937_64 random(1);
     for (int trial = 0; trial < 50; ++trial) {
         const Populations p = random_cell(random).before;
@@ -26,8 +25,7 @@ TEST_CASE("the ten moments are the sums they are named after", "[collision]")
     }
 }
 
-TEST_CASE("populations made of ten moments have these moments and no ghosts", "[collision]")
-{
+TEST_CASE("populations made of ten moments have these moments and no ghosts", "[collision]") {
     std::mt19937_64 random(2);
     for (int trial = 0; trial < 50; ++trial) {
         const Moments<double> m = moments_of(random_cell(random).before.g);
@@ -35,7 +33,8 @@ TEST_CASE("populations made of ten moments have these moments and no ghosts", "[
         populations_of(m, p.g);
         const Moments<double> back = moments_of(p.g);
         CHECK(std::abs(back.density_deviation - m.density_deviation) < 1e-15);
-        for (int a = 0; a < 3; ++a) CHECK(std::abs(back.momentum[a] - m.momentum[a]) < 1e-15);
+        for (int a = 0; a < 3; ++a)
+            CHECK(std::abs(back.momentum[a] - m.momentum[a]) < 1e-15);
         CHECK(std::abs(back.stress.xx - m.stress.xx) < 1e-15);
         CHECK(std::abs(back.stress.yy - m.stress.yy) < 1e-15);
         CHECK(std::abs(back.stress.zz - m.stress.zz) < 1e-15);
@@ -44,14 +43,14 @@ TEST_CASE("populations made of ten moments have these moments and no ghosts", "[
         CHECK(std::abs(back.stress.yz - m.stress.yz) < 1e-15);
         for (int mode = 0; mode < ghost_mode_count; ++mode) {
             double ghost = 0.0;
-            for (int i = 0; i < direction_count; ++i) ghost += ghost_mode(mode, i) * p[i];
+            for (int i = 0; i < direction_count; ++i)
+                ghost += ghost_mode(mode, i) * p[i];
             CHECK(std::abs(ghost) < 1e-15);
         }
     }
 }
 
-TEST_CASE("equilibrium and force term are what their moments say", "[collision]")
-{
+TEST_CASE("equilibrium and force term are what their moments say", "[collision]") {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> any(-0.1, 0.1);
     for (int trial = 0; trial < 50; ++trial) {
@@ -65,8 +64,8 @@ TEST_CASE("equilibrium and force term are what their moments say", "[collision]"
     }
 }
 
-TEST_CASE("in the source the stress goes with delta_ab/3 taken out, as Spendlove's Eq 4 lacks", "[collision]")
-{
+TEST_CASE("in the source the stress goes with delta_ab/3 taken out, as Spendlove's Eq 4 lacks",
+          "[collision]") {
     // F_i = t_i {3 F.c + (9/2)(F_a u_b + F_b u_a)(c_a c_b - delta_ab/3)}, so that no mass is made.
     const Vec3<double> u{0.03, -0.05, 0.02};
     const Vec3<double> F{0.01, 0.04, -0.02};
@@ -84,9 +83,9 @@ TEST_CASE("in the source the stress goes with delta_ab/3 taken out, as Spendlove
     }
 }
 
-TEST_CASE("viscosity and relaxation rate are each other's inverse", "[collision]")
-{
-    for (const double nu : {0.01, 1.0 / 6.0, 0.5, 2.0}) CHECK(kinematic_viscosity(relaxation_rate(nu)) == Approx(nu));
+TEST_CASE("viscosity and relaxation rate are each other's inverse", "[collision]") {
+    for (const double nu : {0.01, 1.0 / 6.0, 0.5, 2.0})
+        CHECK(kinematic_viscosity(relaxation_rate(nu)) == Approx(nu));
     CHECK(relaxation_rate(1.0 / 6.0) == Approx(1.0));
     for (const double magic : {3.0 / 16.0, 0.25})
         for (const double rate : {0.4, 1.0, 1.7})

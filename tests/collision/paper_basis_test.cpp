@@ -13,7 +13,8 @@ struct PublishedRow {
     int entries[direction_count];
 };
 
-// Spendlove et al. 2021, Table VI with h14 = c_x c_y^2, written out by direction in the order of their Table I.
+// Spendlove et al. 2021, Table VI with h14 = c_x c_y^2, written out by direction in the order of their Table
+// I.
 const PublishedRow rows_of_matrix[] = {
     {2, {0, 0, -1, -1, -1, 0, 1, 1, 1, 0, 0, 1, 0, -1, 0, 0, 1, 0, -1}},
     {8, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, -1, 0, 0, -1, 0, 1, 0}},
@@ -38,35 +39,35 @@ const PublishedRow rows_of_inverse[] = {
     {18, {-1, 0, -4, -4, -1, 3, 3, 0, 0, 6, 1, 0, -2, -2, 0, 6, 6, 0, -2}},
 };
 
-double paper_moment(int p, const Populations& f)
-{
+double paper_moment(int p, const Populations& f) {
     double sum = 0.0;
-    for (int i = 0; i < direction_count; ++i) sum += paper_basis::row(p, i) * f[i];
+    for (int i = 0; i < direction_count; ++i)
+        sum += paper_basis::row(p, i) * f[i];
     return sum;
 }
 
 /// The populations with the stored t_i rho0 added back.
-Populations whole(Populations f, double rho0)
-{
-    for (int i = 0; i < direction_count; ++i) f[i] += weight(i) * rho0;
+Populations whole(Populations f, double rho0) {
+    for (int i = 0; i < direction_count; ++i)
+        f[i] += weight(i) * rho0;
     return f;
 }
 
 } // namespace
 
-TEST_CASE("the matrix of the paper and its inverse are the published integers", "[collision]")
-{
+TEST_CASE("the matrix of the paper and its inverse are the published integers", "[collision]") {
     for (const PublishedRow& row : rows_of_matrix)
         for (int i = 0; i < direction_count; ++i)
-            CHECK(paper_basis::M[static_cast<std::size_t>(row.index)][static_cast<std::size_t>(i)] == row.entries[i]);
+            CHECK(paper_basis::M[static_cast<std::size_t>(row.index)][static_cast<std::size_t>(i)] ==
+                  row.entries[i]);
     for (const PublishedRow& row : rows_of_inverse)
         for (int p = 0; p < direction_count; ++p)
-            CHECK(24.0 * paper_basis::M_inverse[static_cast<std::size_t>(row.index)][static_cast<std::size_t>(p)] ==
+            CHECK(24.0 * paper_basis::M_inverse[static_cast<std::size_t>(row.index)]
+                                               [static_cast<std::size_t>(p)] ==
                   Approx(row.entries[p]).margin(1e-13));
 }
 
-TEST_CASE("the matrix times its inverse is the identity, from either side", "[collision]")
-{
+TEST_CASE("the matrix times its inverse is the identity, from either side", "[collision]") {
     for (std::size_t a = 0; a < direction_count; ++a)
         for (std::size_t b = 0; b < direction_count; ++b) {
             double right = 0.0;
@@ -80,8 +81,7 @@ TEST_CASE("the matrix times its inverse is the identity, from either side", "[co
         }
 }
 
-TEST_CASE("the equilibrium has the paper's nineteen moments", "[collision]")
-{
+TEST_CASE("the equilibrium has the paper's nineteen moments", "[collision]") {
     const double rho = 1.17;
     const Vec3<double> u{0.04, -0.07, 0.02};
     const Populations f = whole(equilibrium(rho, 1.0, u), 1.0);
@@ -112,8 +112,8 @@ TEST_CASE("the equilibrium has the paper's nineteen moments", "[collision]")
     }
 }
 
-TEST_CASE("every moment of the paper's basis relaxes with its own rate and takes its share of the force", "[collision]")
-{
+TEST_CASE("every moment of the paper's basis relaxes with its own rate and takes its share of the force",
+          "[collision]") {
     std::mt19937_64 random(4);
     const PaperMrt collision{1.2, 0.7, 1.5, 1.9};
     for (int trial = 0; trial < 20; ++trial) {

@@ -1,8 +1,7 @@
-#include "simulation/fluid_step.hpp"
-
 #include "collision/paper_mrt.hpp"
 #include "collision/relaxation.hpp"
 #include "collision/symmetric_mrt.hpp"
+#include "simulation/fluid_step.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -15,34 +14,35 @@ namespace {
 
 /// A shear wave u = e cos(k.x) with e across k, started with the stress that belongs to it.
 struct ShearWave {
-    Vec3<int> size;    ///< periodic box
-    Vec3<int> waves;   ///< k = 2 pi waves/size
-    Vec3<double> e;    ///< unit vector, e.k = 0
+    Vec3<int> size;  ///< periodic box
+    Vec3<int> waves; ///< k = 2 pi waves/size
+    Vec3<double> e;  ///< unit vector, e.k = 0
 
-    Vec3<double> k() const
-    {
+    Vec3<double> k() const {
         const double turn = 2.0 * std::numbers::pi;
         return {turn * waves.x / size.x, turn * waves.y / size.y, turn * waves.z / size.z};
     }
-    double phase(int x, int y, int z) const { return dot(k(), Vec3<double>{double(x), double(y), double(z)}); }
+    double phase(int x, int y, int z) const {
+        return dot(k(), Vec3<double>{double(x), double(y), double(z)});
+    }
 };
 
 template <class Body>
-void for_each_cell(const Vec3<int>& size, const Body& body)
-{
+void for_each_cell(const Vec3<int>& size, const Body& body) {
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) body(x, y, z);
+            for (int x = 0; x < size.x; ++x)
+                body(x, y, z);
 }
 
 /// The viscosity found from the wave's decay to about three quarters.
 template <class Collision>
-double measured_viscosity(const Collision& collision, double nu, const ShearWave& wave)
-{
+double measured_viscosity(const Collision& collision, double nu, const ShearWave& wave) {
     const Grid grid(wave.size);
     Field<double> field(direction_count, grid.cells());
     const PopulationView<double> f(field.view(), grid);
-    for (int i = 0; i < direction_count; ++i) std::fill_n(f.slot(i), grid.cells(), 0.0);
+    for (int i = 0; i < direction_count; ++i)
+        std::fill_n(f.slot(i), grid.cells(), 0.0);
     const double rate = relaxation_rate(nu);
     const FluidStep<double, Collision> fluid(grid, f, collision, {rate, rate}, 1.0);
 
@@ -62,13 +62,15 @@ double measured_viscosity(const Collision& collision, double nu, const ShearWave
         m.stress.yz += s * (k.y * e.z + k.z * e.y);
         double g[direction_count];
         populations_of(m, g);
-        for (int i = 0; i < direction_count; ++i) f.slot(i)[grid.index(x, y, z)] = g[i];
+        for (int i = 0; i < direction_count; ++i)
+            f.slot(i)[grid.index(x, y, z)] = g[i];
     });
     const auto height = [&] {
         double sum = 0.0;
         for_each_cell(wave.size, [&](int x, int y, int z) {
             double g[direction_count];
-            for (int i = 0; i < direction_count; ++i) g[i] = f.slot(i)[grid.index(x, y, z)];
+            for (int i = 0; i < direction_count; ++i)
+                g[i] = f.slot(i)[grid.index(x, y, z)];
             sum += dot(moments_of(g).momentum, wave.e) * std::cos(wave.phase(x, y, z));
         });
         return sum;
@@ -83,53 +85,46 @@ double measured_viscosity(const Collision& collision, double nu, const ShearWave
 }
 
 template <class Collision>
-void check_viscosity(const Collision& collision, double nu)
-{
+void check_viscosity(const Collision& collision, double nu) {
     const double half = std::sqrt(0.5);
     const auto error = [&](const ShearWave& wave) {
         return std::abs(measured_viscosity(collision, nu, wave) / nu - 1.0);
     };
-    SECTION("along an axis: 0.1 % at 64 cells, second order")
-    {
-        const auto at = [&](int cells) { return error({{cells, 1, 1}, {1, 0, 0}, {0, 0.6, 0.8}}); };
+    SECTION("along an axis: 0.1 % at 64 cells, second order") {
+        const auto at = [&](int cells) {
+            return error({{cells, 1, 1}, {1, 0, 0}, {0, 0.6, 0.8}});
+        };
         CHECK(at(64) < 1e-3);
         CHECK(std::log2(at(16) / at(32)) == Approx(2.0).margin(0.1));
         CHECK(std::log2(at(32) / at(64)) == Approx(2.0).margin(0.1));
     }
-    SECTION("along a face's diagonal, sheared in the face and out of it: 0.1 % at 48 cells")
-    {
+    SECTION("along a face's diagonal, sheared in the face and out of it: 0.1 % at 48 cells") {
         for (const Vec3<double>& e : {Vec3<double>{0, 0, 1}, Vec3<double>{half, -half, 0}})
             CHECK(error({{48, 48, 1}, {1, 1, 0}, e}) < 1e-3);
     }
-    SECTION("along the body's diagonal: 2 % at 24 cells, fourteen from crest to crest")
-    {
+    SECTION("along the body's diagonal: 2 % at 24 cells, fourteen from crest to crest") {
         CHECK(error({{24, 24, 24}, {1, 1, 1}, {half, -half, 0}}) < 2e-2);
     }
 }
 
 } // namespace
 
-TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): regularised", "[collision]")
-{
+TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): regularised", "[collision]") {
     check_viscosity(RegularisedCollision{}, 0.08);
 }
 
-TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): two relaxation times", "[collision]")
-{
+TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): two relaxation times", "[collision]") {
     check_viscosity(SymmetricMrt<TwoRelaxationTimes>{}, 0.08);
 }
 
-TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): free ghost rates", "[collision]")
-{
+TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): free ghost rates", "[collision]") {
     check_viscosity(SymmetricMrt<FreeGhostRates>{{1.1, 1.3, 0.9, 1.7}}, 0.08);
 }
 
-TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): single relaxation time", "[collision]")
-{
+TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): single relaxation time", "[collision]") {
     check_viscosity(SymmetricMrt<SingleRelaxationTime>{}, 0.08);
 }
 
-TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): the paper's basis", "[collision]")
-{
+TEST_CASE("a shear wave decays with nu = (1/3)(1/lambda - 1/2): the paper's basis", "[collision]") {
     check_viscosity(PaperMrt{1.2, 0.7, 1.5, 1.9}, 0.08);
 }

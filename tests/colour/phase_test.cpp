@@ -7,11 +7,10 @@
 
 using namespace vesica;
 
-TEST_CASE("a small fraction of either colour keeps its digits, in single precision as well", "[colour]")
-{
+TEST_CASE("a small fraction of either colour keeps its digits, in single precision as well", "[colour]") {
     for (const float fraction : {1e-12f, 3e-7f, 0.01f, 0.4f}) {
-        const float in_blue = fraction;  // little red outside
-        const float in_red = -fraction;  // little blue inside
+        const float in_blue = fraction; // little red outside
+        const float in_red = -fraction; // little blue inside
         CHECK(red_fraction(in_blue) == fraction);
         CHECK(blue_fraction(in_red) == fraction);
         CHECK(blue_fraction(in_blue) == 1.0f - fraction);
@@ -23,8 +22,7 @@ TEST_CASE("a small fraction of either colour keeps its digits, in single precisi
     }
 }
 
-TEST_CASE("phi is +1 in pure red, -1 in pure blue, and leads back to the same fraction", "[colour]")
-{
+TEST_CASE("phi is +1 in pure red, -1 in pure blue, and leads back to the same fraction", "[colour]") {
     CHECK(phase_of(0.0) == -1.0);
     CHECK(phase_of(-0.0) == 1.0);
     CHECK(red_fraction(-0.0) == 1.0);
@@ -41,8 +39,7 @@ TEST_CASE("phi is +1 in pure red, -1 in pure blue, and leads back to the same fr
     }
 }
 
-TEST_CASE("a fraction above one half is as good as its complement on the other side", "[colour]")
-{
+TEST_CASE("a fraction above one half is as good as its complement on the other side", "[colour]") {
     // The minority may grow past one half between two steps; nothing jumps.
     for (const double past : {0.5, 0.500001, 0.6}) {
         CHECK(red_fraction(past) == Approx(red_fraction(-(1.0 - past))).epsilon(1e-15));
@@ -52,8 +49,7 @@ TEST_CASE("a fraction above one half is as good as its complement on the other s
     }
 }
 
-TEST_CASE("the signed distance of a tanh profile is the distance, far into the tails", "[colour]")
-{
+TEST_CASE("the signed distance of a tanh profile is the distance, far into the tails", "[colour]") {
     const double beta = 0.67;
     for (int k = -120; k <= 120; ++k) {
         const double s = 0.1 * k;

@@ -11,13 +11,12 @@ using namespace vesica;
 
 namespace {
 
-int wrapped(int x, int size)
-{
+int wrapped(int x, int size) {
     return ((x % size) + size) % size;
 }
 
-/// Two colours on a periodic box, cell by cell and without hurry: collide, stream, gather. One fluid in uniform motion
-/// or with populations of any kind; what it shows of the colours is the law's own doing.
+/// Two colours on a periodic box, cell by cell and without hurry: collide, stream, gather. One fluid in
+/// uniform motion or with populations of any kind; what it shows of the colours is the law's own doing.
 struct PlainColours {
     using Populations = double[direction_count];
     struct Cell {
@@ -39,64 +38,68 @@ struct PlainColours {
           chi(cells, 0.0),
           density(cells, 1.0),
           n(cells),
-          f(cells)
-    {
-    }
+          f(cells) {}
 
-    std::size_t at(int x, int y, int z) const
-    {
+    std::size_t at(int x, int y, int z) const {
         return static_cast<std::size_t>(wrapped(x, size.x) +
                                         size.x * (wrapped(y, size.y) + size.y * wrapped(z, size.z)));
     }
 
     template <class Body>
-    void for_each(const Body& body) const
-    {
+    void for_each(const Body& body) const {
         for (int z = 0; z < size.z; ++z)
             for (int y = 0; y < size.y; ++y)
-                for (int x = 0; x < size.x; ++x) body(x, y, z);
+                for (int x = 0; x < size.x; ++x)
+                    body(x, y, z);
     }
 
     Populations& populations(std::size_t cell) { return f[cell].g; }
 
-    void point_normals_along_the_gradient()
-    {
+    void point_normals_along_the_gradient() {
         for_each([&](int x, int y, int z) {
             Vec3<double> gradient;
             for (int i = 1; i < direction_count; ++i) {
                 const double phi =
                     weight(i) * phase_of(chi[at(x + velocity(i, 0), y + velocity(i, 1), z + velocity(i, 2))]);
-                gradient = gradient - Vec3<double>{phi * velocity(i, 0), phi * velocity(i, 1), phi * velocity(i, 2)};
+                gradient =
+                    gradient - Vec3<double>{phi * velocity(i, 0), phi * velocity(i, 1), phi * velocity(i, 2)};
             }
             const double steepness = norm(gradient);
             n[at(x, y, z)] = steepness > 0.0 ? (1.0 / steepness) * gradient : Vec3<double>{};
         });
     }
 
-    void collide(double rate)
-    {
-        for (Cell& cell : f) RegularisedCollision{}(cell.g, Vec3<double>{}, rate, 1.0);
+    void collide(double rate) {
+        for (Cell& cell : f)
+            RegularisedCollision{}(cell.g, Vec3<double>{}, rate, 1.0);
     }
 
     /// Streams the populations and gathers the colours that came with them.
-    void stream()
-    {
+    void stream() {
         std::vector<Vec3<double>> w(cells);
-        for (std::size_t c = 0; c < cells; ++c) w[c] = segregation_flux(chi[c], density[c], n[c], beta);
+        for (std::size_t c = 0; c < cells; ++c)
+            w[c] = segregation_flux(chi[c], density[c], n[c], beta);
         std::vector<Cell> arrived(cells);
         std::vector<double> next(cells);
         for_each([&](int x, int y, int z) {
             const std::size_t here = at(x, y, z);
-            const auto there = [&](int i) { return at(x + velocity(i, 0), y + velocity(i, 1), z + velocity(i, 2)); };
-            for (int i = 0; i < direction_count; ++i) arrived[here].g[i] = f[there(opposite(i))].g[i];
+            const auto there = [&](int i) {
+                return at(x + velocity(i, 0), y + velocity(i, 1), z + velocity(i, 2));
+            };
+            for (int i = 0; i < direction_count; ++i)
+                arrived[here].g[i] = f[there(opposite(i))].g[i];
             // c_i of the population that comes from x + c_from is -c_from.
-            const auto chi_around = [&](auto from) { return chi[there(decltype(from)::value)]; };
+            const auto chi_around = [&](auto from) {
+                return chi[there(decltype(from)::value)];
+            };
             const auto flux_around = [&](auto from) {
                 constexpr int i = decltype(from)::value;
                 const Vec3<double>& there_w = w[there(i)];
-                return -(velocity(i, 0) * there_w.x + velocity(i, 1) * there_w.y + velocity(i, 2) * there_w.z);
+                return -(velocity(i, 0) * there_w.x + velocity(i, 1) * there_w.y +
+                         velocity(i, 2) * there_w.z);
             };
-            const ColourDensities<double> colours = gather_colours(arrived[here].g, 1.0, chi_around, flux_around);
+            const ColourDensities<double> colours =
+                gather_colours(arrived[here].g, 1.0, chi_around, flux_around);
             const double total = colours.red + colours.blue;
             density[here] = total;
             next[here] = colours.blue < colours.red ? -colours.blue / total : colours.red / total;
@@ -105,23 +108,22 @@ struct PlainColours {
         chi = std::move(next);
     }
 
-    double red_mass() const
-    {
+    double red_mass() const {
         long double sum = 0.0L;
-        for (std::size_t c = 0; c < cells; ++c) sum += static_cast<long double>(red_fraction(chi[c])) * density[c];
+        for (std::size_t c = 0; c < cells; ++c)
+            sum += static_cast<long double>(red_fraction(chi[c])) * density[c];
         return static_cast<double>(sum);
     }
-    double blue_mass() const
-    {
+    double blue_mass() const {
         long double sum = 0.0L;
-        for (std::size_t c = 0; c < cells; ++c) sum += static_cast<long double>(blue_fraction(chi[c])) * density[c];
+        for (std::size_t c = 0; c < cells; ++c)
+            sum += static_cast<long double>(blue_fraction(chi[c])) * density[c];
         return static_cast<double>(sum);
     }
 };
 
 /// A red slab in the middle of a long periodic box, phi = -tanh(beta s) at either face.
-PlainColours slab(int length, double beta)
-{
+PlainColours slab(int length, double beta) {
     PlainColours colours({length, 1, 1}, beta);
     for (int x = 0; x < length; ++x) {
         const double s = std::abs(x + 0.5 - 0.5 * length + 0.13) - 0.25 * length;
@@ -131,8 +133,7 @@ PlainColours slab(int length, double beta)
 }
 
 /// Where the red lies along x in a periodic box: the phase of its first harmonic.
-double centre_of_red(const PlainColours& colours, int length)
-{
+double centre_of_red(const PlainColours& colours, int length) {
     double sine = 0.0;
     double cosine = 0.0;
     const double turn = 2.0 * std::acos(-1.0) / length;
@@ -146,8 +147,8 @@ double centre_of_red(const PlainColours& colours, int length)
 
 } // namespace
 
-TEST_CASE("streaming and gathering keep each colour's mass, for any populations, fractions and normals", "[colour]")
-{
+TEST_CASE("streaming and gathering keep each colour's mass, for any populations, fractions and normals",
+          "[colour]") {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> fraction(0.0, 0.5);
     std::uniform_real_distribution<double> small(-0.01, 0.01);
@@ -158,7 +159,8 @@ TEST_CASE("streaming and gathering keep each colour's mass, for any populations,
             const std::size_t c = colours.at(x, y, z);
             colours.chi[c] = with_sign_bit(random() % 2 == 0, fraction(random));
             double sum = 1.0;
-            for (int i = 0; i < direction_count; ++i) sum += colours.populations(c)[i] = small(random);
+            for (int i = 0; i < direction_count; ++i)
+                sum += colours.populations(c)[i] = small(random);
             colours.density[c] = sum;
             const Vec3<double> a{normal(random), normal(random), normal(random)};
             colours.n[c] = (1.0 / norm(a)) * a;
@@ -171,21 +173,25 @@ TEST_CASE("streaming and gathering keep each colour's mass, for any populations,
     }
 }
 
-TEST_CASE("the two colours together are the fluid: recolouring moves no mass of the whole", "[colour]")
-{
+TEST_CASE("the two colours together are the fluid: recolouring moves no mass of the whole", "[colour]") {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> any(-0.01, 0.01);
     double g[direction_count];
     double sum = 1.0;
-    for (double& value : g) sum += value = any(random);
-    const auto chi = [](auto i) { return decltype(i)::value % 2 == 0 ? 0.3 : -0.2; };
-    const auto flux = [](auto i) { return 0.01 * decltype(i)::value; };
+    for (double& value : g)
+        sum += value = any(random);
+    const auto chi = [](auto i) {
+        return decltype(i)::value % 2 == 0 ? 0.3 : -0.2;
+    };
+    const auto flux = [](auto i) {
+        return 0.01 * decltype(i)::value;
+    };
     const ColourDensities<double> arrived = gather_colours(g, 1.0, chi, flux);
     CHECK(arrived.red + arrived.blue == Approx(sum).epsilon(1e-15));
 }
 
-TEST_CASE("the flux w = beta (rho_R rho_B/rho) n, largest where the colours are equal, none in pure fluid", "[colour]")
-{
+TEST_CASE("the flux w = beta (rho_R rho_B/rho) n, largest where the colours are equal, none in pure fluid",
+          "[colour]") {
     const Vec3<double> n{0.6, 0.0, -0.8};
     for (const double chi : {0.1, -0.1, 0.5}) {
         const double red = red_fraction(chi) * 1.2;
@@ -197,8 +203,7 @@ TEST_CASE("the flux w = beta (rho_R rho_B/rho) n, largest where the colours are 
     CHECK(norm(segregation_flux(-0.0, 1.0, n, 0.67)) == 0.0);
 }
 
-TEST_CASE("the flat profile at rest obeys its recurrence, and sum (1 - phi^2) = 2/beta", "[colour]")
-{
+TEST_CASE("the flat profile at rest obeys its recurrence, and sum (1 - phi^2) = 2/beta", "[colour]") {
     const int length = 80;
     for (const double beta : {0.5, 0.67}) {
         PlainColours colours = slab(length, beta);
@@ -212,7 +217,8 @@ TEST_CASE("the flat profile at rest obeys its recurrence, and sum (1 - phi^2) = 
         for (int x = length / 2; x < length; ++x) {
             const double phi = phase_of(colours.chi[colours.at(x, 0, 0)]);
             const double next = phase_of(colours.chi[colours.at(x + 1, 0, 0)]);
-            if (x + 1 < length) CHECK(std::abs(next - phi + 0.5 * beta * (2.0 - next * next - phi * phi)) < 1e-6);
+            if (x + 1 < length)
+                CHECK(std::abs(next - phi + 0.5 * beta * (2.0 - next * next - phi * phi)) < 1e-6);
             sum += layer_density(colours.chi[colours.at(x, 0, 0)]);
         }
         CHECK(sum == Approx(2.0 / beta).epsilon(1e-6));
@@ -222,8 +228,7 @@ TEST_CASE("the flat profile at rest obeys its recurrence, and sum (1 - phi^2) = 
     }
 }
 
-TEST_CASE("a slab in uniform flow returns to where it was, its profile no wider", "[colour]")
-{
+TEST_CASE("a slab in uniform flow returns to where it was, its profile no wider", "[colour]") {
     const int length = 40;
     const double u = 0.05;
     PlainColours colours = slab(length, 0.67);
@@ -233,7 +238,8 @@ TEST_CASE("a slab in uniform flow returns to where it was, its profile no wider"
     });
     const auto layer = [&] {
         double sum = 0.0;
-        for (const double chi : colours.chi) sum += layer_density(chi);
+        for (const double chi : colours.chi)
+            sum += layer_density(chi);
         return sum;
     };
     const double red = colours.red_mass();

@@ -20,23 +20,22 @@ struct Patch {
     double kappa2 = 0.0;
 
     /// d_j n_i = kappa1 e1 e1 + kappa2 e2 e2
-    Jacobian<double> shape_operator() const
-    {
-        const auto row = [&](int i) { return kappa1 * e1[i] * e1 + kappa2 * e2[i] * e2; };
+    Jacobian<double> shape_operator() const {
+        const auto row = [&](int i) {
+            return kappa1 * e1[i] * e1 + kappa2 * e2[i] * e2;
+        };
         return {row(0), row(1), row(2)};
     }
     double H() const { return 0.5 * (kappa1 + kappa2); }
     double K() const { return kappa1 * kappa2; }
 };
 
-Vec3<double> random_direction(std::mt19937_64& random)
-{
+Vec3<double> random_direction(std::mt19937_64& random) {
     std::normal_distribution<double> normal;
     return unit_vector(Vec3<double>{normal(random), normal(random), normal(random)});
 }
 
-Patch random_patch(std::mt19937_64& random)
-{
+Patch random_patch(std::mt19937_64& random) {
     std::uniform_real_distribution<double> curvature(-1.0, 1.0);
     Patch patch;
     patch.n = random_direction(random);
@@ -49,8 +48,7 @@ Patch random_patch(std::mt19937_64& random)
 
 } // namespace
 
-TEST_CASE("H and K are half the sum and the product of the principal curvatures", "[geometry]")
-{
+TEST_CASE("H and K are half the sum and the product of the principal curvatures", "[geometry]") {
     std::mt19937_64 random(1);
     for (int trial = 0; trial < 200; ++trial) {
         const Patch patch = random_patch(random);
@@ -60,8 +58,8 @@ TEST_CASE("H and K are half the sum and the product of the principal curvatures"
     }
 }
 
-TEST_CASE("K does not see what the normals do along the normal, and H only as their divergence", "[geometry]")
-{
+TEST_CASE("K does not see what the normals do along the normal, and H only as their divergence",
+          "[geometry]") {
     // A lattice's d_j n_i has parts a_i n_j + n_i b_j that no surface has.
     std::mt19937_64 random(2);
     for (int trial = 0; trial < 200; ++trial) {
@@ -79,15 +77,15 @@ TEST_CASE("K does not see what the normals do along the normal, and H only as th
 }
 
 TEST_CASE("the paper's three frames and the projection give the same curvatures, whichever frame is chosen",
-          "[geometry]")
-{
+          "[geometry]") {
     std::mt19937_64 random(3);
     for (int trial = 0; trial < 500; ++trial) {
         const Patch patch = random_patch(random);
         const Jacobian<double> G = patch.shape_operator();
         const Curvatures<double> projected = curvatures_of(G, patch.n);
-        const Curvatures<double> framed[] = {curvatures_in_frame_of<0>(G, patch.n), curvatures_in_frame_of<1>(G, patch.n),
-                                             curvatures_in_frame_of<2>(G, patch.n), paper_curvatures_of(G, patch.n)};
+        const Curvatures<double> framed[] = {
+            curvatures_in_frame_of<0>(G, patch.n), curvatures_in_frame_of<1>(G, patch.n),
+            curvatures_in_frame_of<2>(G, patch.n), paper_curvatures_of(G, patch.n)};
         for (int frame = 0; frame < 4; ++frame) {
             // A frame divides by 1 - N_a^2; the choice keeps that above 2/3.
             const double conditioning = frame < 3 ? 1.0 - patch.n[frame] * patch.n[frame] : 1.0;
@@ -98,8 +96,7 @@ TEST_CASE("the paper's three frames and the projection give the same curvatures,
     }
 }
 
-TEST_CASE("the frame is chosen so that normals along any axis are harmless", "[geometry]")
-{
+TEST_CASE("the frame is chosen so that normals along any axis are harmless", "[geometry]") {
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
             Patch patch;
@@ -114,8 +111,7 @@ TEST_CASE("the frame is chosen so that normals along any axis are harmless", "[g
         }
 }
 
-TEST_CASE("the curvatures of parallel surfaces lead back to the middle one exactly", "[geometry]")
-{
+TEST_CASE("the curvatures of parallel surfaces lead back to the middle one exactly", "[geometry]") {
     // Principal radii of a parallel surface at distance s grow by s: kappa = kappa0/(1 + s kappa0).
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> curvature(-0.1, 0.1);
@@ -129,7 +125,8 @@ TEST_CASE("the curvatures of parallel surfaces lead back to the middle one exact
         CHECK(std::abs(middle.K - k1 * k2) < 1e-16);
         CHECK(area_to_mid_surface(here, s) == Approx(1.0 / ((1.0 + s * k1) * (1.0 + s * k2))));
     };
-    for (int trial = 0; trial < 200; ++trial) check(curvature(random), curvature(random), distance(random));
+    for (int trial = 0; trial < 200; ++trial)
+        check(curvature(random), curvature(random), distance(random));
     for (const double s : {-3.0, -0.5, 0.0, 2.0}) {
         check(1.0 / 12.0, 1.0 / 12.0, s); // sphere
         check(1.0 / 12.0, 0.0, s);        // cylinder
@@ -137,8 +134,8 @@ TEST_CASE("the curvatures of parallel surfaces lead back to the middle one exact
     }
 }
 
-TEST_CASE("a unit vector has length one; where there is no gradient there is no normal, and no infinity", "[geometry]")
-{
+TEST_CASE("a unit vector has length one; where there is no gradient there is no normal, and no infinity",
+          "[geometry]") {
     std::mt19937_64 random(5);
     for (int trial = 0; trial < 20; ++trial) {
         const Vec3<double> a = 1e-3 * random_direction(random);

@@ -17,15 +17,14 @@ struct Around {
     double h;
 
     template <int i>
-    double operator()(Direction<i>) const
-    {
-        return function(centre + h * Vec3<double>{double(velocity(i, 0)), double(velocity(i, 1)), double(velocity(i, 2))});
+    double operator()(Direction<i>) const {
+        return function(centre + h * Vec3<double>{double(velocity(i, 0)), double(velocity(i, 1)),
+                                                  double(velocity(i, 2))});
     }
 };
 
 template <class Function>
-Around<Function> around(const Function& function, const Vec3<double>& centre, double h = 1.0)
-{
+Around<Function> around(const Function& function, const Vec3<double>& centre, double h = 1.0) {
     return {function, centre, h};
 }
 
@@ -33,8 +32,7 @@ constexpr auto wave = [](const Vec3<double>& x) {
     return std::sin(0.7 * x.x + 0.2) * std::cos(1.1 * x.y) * std::sin(0.9 * x.z - 0.5);
 };
 
-Vec3<double> wave_gradient(const Vec3<double>& x)
-{
+Vec3<double> wave_gradient(const Vec3<double>& x) {
     const double a = 0.7 * x.x + 0.2;
     const double b = 1.1 * x.y;
     const double c = 0.9 * x.z - 0.5;
@@ -46,8 +44,7 @@ const Vec3<double> point{0.3, 0.8, -1.2};
 
 } // namespace
 
-TEST_CASE("the gradient of a quadratic function is exact", "[geometry]")
-{
+TEST_CASE("the gradient of a quadratic function is exact", "[geometry]") {
     const auto q = [](const Vec3<double>& x) {
         return 3.0 - 2.0 * x.x + 0.5 * x.y + x.z + 0.7 * x.x * x.x - 0.3 * x.y * x.y + x.z * x.z + x.x * x.y -
                2.0 * x.y * x.z + 0.4 * x.x * x.z;
@@ -58,17 +55,16 @@ TEST_CASE("the gradient of a quadratic function is exact", "[geometry]")
     CHECK(norm(gradient<double>(around(q, point)) - expected) < 1e-14);
 }
 
-TEST_CASE("the Laplacian of a cubic function is exact", "[geometry]")
-{
+TEST_CASE("the Laplacian of a cubic function is exact", "[geometry]") {
     const auto q = [](const Vec3<double>& x) {
         return 1.0 - x.x + 0.7 * x.x * x.x - 0.3 * x.y * x.y + x.z * x.z + x.x * x.y - 2.0 * x.y * x.z +
                x.x * x.x * x.x - x.x * x.y * x.y + 3.0 * x.x * x.y * x.z;
     };
-    CHECK(laplacian<double>(around(q, point)) == Approx(1.4 - 0.6 + 2.0 + 6.0 * point.x - 2.0 * point.x).epsilon(1e-13));
+    CHECK(laplacian<double>(around(q, point)) ==
+          Approx(1.4 - 0.6 + 2.0 + 6.0 * point.x - 2.0 * point.x).epsilon(1e-13));
 }
 
-TEST_CASE("gradient and Laplacian are second order", "[geometry]")
-{
+TEST_CASE("gradient and Laplacian are second order", "[geometry]") {
     double gradient_error[3];
     double laplacian_error[3];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -89,14 +85,16 @@ TEST_CASE("gradient and Laplacian are second order", "[geometry]")
     CHECK(norm(error - leading) < 1e-3 * norm(leading));
 }
 
-TEST_CASE("the Jacobian's rows are the gradients of the components", "[geometry]")
-{
+TEST_CASE("the Jacobian's rows are the gradients of the components", "[geometry]") {
     // q_i = A_ij x_j
     const double A[3][3] = {{1, 2, 3}, {-4, 5, 6}, {7, -8, 9}};
     const auto component = [&](int i) {
-        return [&A, i](const Vec3<double>& x) { return A[i][0] * x.x + A[i][1] * x.y + A[i][2] * x.z; };
+        return [&A, i](const Vec3<double>& x) {
+            return A[i][0] * x.x + A[i][1] * x.y + A[i][2] * x.z;
+        };
     };
-    const Jacobian<double> J{gradient<double>(around(component(0), point)), gradient<double>(around(component(1), point)),
+    const Jacobian<double> J{gradient<double>(around(component(0), point)),
+                             gradient<double>(around(component(1), point)),
                              gradient<double>(around(component(2), point))};
     for (int j = 0; j < 3; ++j) {
         CHECK(J.x[j] == Approx(A[0][j]));
@@ -108,10 +106,11 @@ TEST_CASE("the Jacobian's rows are the gradients of the components", "[geometry]
     CHECK(J.normal_component(n) == Approx(0.36 * 1 + 0.48 * (3 + 7) + 0.64 * 9));
 }
 
-TEST_CASE("the gradient of a sharpened field is fourth order", "[geometry]")
-{
+TEST_CASE("the gradient of a sharpened field is fourth order", "[geometry]") {
     const auto error = [&](double h) {
-        const auto sharp = [&](const Vec3<double>& x) { return sharpened<double>(around(wave, x, h), 1.0); };
+        const auto sharp = [&](const Vec3<double>& x) {
+            return sharpened<double>(around(wave, x, h), 1.0);
+        };
         return norm((1.0 / h) * gradient<double>(around(sharp, point, h)) - wave_gradient(point));
     };
     CHECK(std::log2(error(0.2) / error(0.1)) == Approx(4.0).margin(0.1));

@@ -11,8 +11,7 @@ using namespace vesica;
 
 namespace {
 
-int wrapped(int x, int size)
-{
+int wrapped(int x, int size) {
     return ((x % size) + size) % size;
 }
 
@@ -23,26 +22,25 @@ struct Cells {
 
     explicit Cells(const Vec3<int>& s) : size(s), flags(static_cast<std::size_t>(s.x * s.y * s.z), 0) {}
 
-    std::size_t at(int x, int y, int z) const
-    {
+    std::size_t at(int x, int y, int z) const {
         return static_cast<std::size_t>(wrapped(x, size.x) +
                                         size.x * (wrapped(y, size.y) + size.y * wrapped(z, size.z)));
     }
 
     template <class Body>
-    void for_each(const Body& body) const
-    {
+    void for_each(const Body& body) const {
         for (int z = 0; z < size.z; ++z)
             for (int y = 0; y < size.y; ++y)
-                for (int x = 0; x < size.x; ++x) body(x, y, z);
+                for (int x = 0; x < size.x; ++x)
+                    body(x, y, z);
     }
 
     /// These cells and those one link away.
-    Cells grown() const
-    {
+    Cells grown() const {
         Cells larger(size);
         for_each([&](int x, int y, int z) {
-            if (flags[at(x, y, z)] == 0) return;
+            if (flags[at(x, y, z)] == 0)
+                return;
             for (int i = 0; i < direction_count; ++i)
                 larger.flags[at(x + velocity(i, 0), y + velocity(i, 1), z + velocity(i, 2))] = 1;
         });
@@ -50,30 +48,30 @@ struct Cells {
     }
 };
 
-Cells random_core(const Vec3<int>& size, int count, std::mt19937_64& random)
-{
+Cells random_core(const Vec3<int>& size, int count, std::mt19937_64& random) {
     Cells core(size);
-    for (int k = 0; k < count; ++k) core.flags[random() % core.flags.size()] = 1;
+    for (int k = 0; k < count; ++k)
+        core.flags[random() % core.flags.size()] = 1;
     return core;
 }
 
-std::vector<Band::Seed> seeds_of(const Cells& core, const Grid& grid)
-{
+std::vector<Band::Seed> seeds_of(const Cells& core, const Grid& grid) {
     std::vector<std::uint8_t> bits(static_cast<std::size_t>(grid.tiles()), 0);
     core.for_each([&](int x, int y, int z) {
         const std::int64_t cell = grid.index(x, y, z);
         if (core.flags[core.at(x, y, z)] != 0)
-            bits[static_cast<std::size_t>(cell / Grid::tile)] |= static_cast<std::uint8_t>(1u << (cell % Grid::tile));
+            bits[static_cast<std::size_t>(cell / Grid::tile)] |=
+                static_cast<std::uint8_t>(1u << (cell % Grid::tile));
     });
     std::vector<Band::Seed> seeds;
     for (std::size_t t = 0; t < bits.size(); ++t)
-        if (bits[t] != 0) seeds.push_back({static_cast<std::int64_t>(t), bits[t]});
+        if (bits[t] != 0)
+            seeds.push_back({static_cast<std::int64_t>(t), bits[t]});
     return seeds;
 }
 
 /// The cells of one level as the band states them.
-Cells level_of(const Band& band, int level)
-{
+Cells level_of(const Band& band, int level) {
     const Grid& grid = band.grid();
     Cells cells(grid.size());
     for (const std::int32_t index : band.of_level(level)) {
@@ -81,7 +79,8 @@ Cells level_of(const Band& band, int level)
         const Vec3<int> origin = grid.tile_origin(t.tile);
         CHECK((t.bits[level] & ~grid.interior_bits(origin)) == 0);
         for (int k = 0; k < Grid::tile; ++k)
-            if ((t.bits[level] >> k & 1) != 0) cells.flags[cells.at(origin.x + k, origin.y, origin.z)] = 1;
+            if ((t.bits[level] >> k & 1) != 0)
+                cells.flags[cells.at(origin.x + k, origin.y, origin.z)] = 1;
     }
     return cells;
 }
@@ -90,12 +89,13 @@ struct BoxWithCore {
     Vec3<int> size;
     int core;
 };
-const BoxWithCore boxes[] = {{{1, 1, 1}, 1},   {{3, 1, 9}, 1},   {{1, 17, 1}, 2},  {{17, 3, 8}, 1}, {{8, 1, 24}, 2},
-                             {{20, 19, 18}, 1}, {{25, 17, 16}, 3}, {{33, 20, 21}, 4}, {{40, 7, 31}, 2}};
+const BoxWithCore boxes[] = {{{1, 1, 1}, 1},    {{3, 1, 9}, 1},    {{1, 17, 1}, 2},
+                             {{17, 3, 8}, 1},   {{8, 1, 24}, 2},   {{20, 19, 18}, 1},
+                             {{25, 17, 16}, 3}, {{33, 20, 21}, 4}, {{40, 7, 31}, 2}};
 
-bool same(const Band& a, const Band& b)
-{
-    if (a.compact_size() != b.compact_size() || a.tiles().size() != b.tiles().size()) return false;
+bool same(const Band& a, const Band& b) {
+    if (a.compact_size() != b.compact_size() || a.tiles().size() != b.tiles().size())
+        return false;
     for (std::size_t k = 0; k < a.tiles().size(); ++k) {
         const BandTile& s = a.tiles()[k];
         const BandTile& t = b.tiles()[k];
@@ -104,17 +104,17 @@ bool same(const Band& a, const Band& b)
             return false;
     }
     for (int level = 0; level <= Band::outermost; ++level)
-        if (a.of_level(level) != b.of_level(level)) return false;
-    return std::equal(a.ghost_copies().begin(), a.ghost_copies().end(), b.ghost_copies().begin(),
-                      b.ghost_copies().end(), [](const Band::GhostCopy& s, const Band::GhostCopy& t) {
-                          return s.from == t.from && s.to == t.to;
-                      });
+        if (a.of_level(level) != b.of_level(level))
+            return false;
+    return std::equal(
+        a.ghost_copies().begin(), a.ghost_copies().end(), b.ghost_copies().begin(), b.ghost_copies().end(),
+        [](const Band::GhostCopy& s, const Band::GhostCopy& t) { return s.from == t.from && s.to == t.to; });
 }
 
 } // namespace
 
-TEST_CASE("each level of a band is the one before and all cells one link away, across periodic faces", "[lattice]")
-{
+TEST_CASE("each level of a band is the one before and all cells one link away, across periodic faces",
+          "[lattice]") {
     std::mt19937_64 random(3);
     for (const auto& [size, count] : boxes)
         for (int trial = 0; trial < 4; ++trial) {
@@ -131,8 +131,8 @@ TEST_CASE("each level of a band is the one before and all cells one link away, a
         }
 }
 
-TEST_CASE("a compact address shifted along a link holds the neighbour's value, ghosts once copied", "[lattice]")
-{
+TEST_CASE("a compact address shifted along a link holds the neighbour's value, ghosts once copied",
+          "[lattice]") {
     std::mt19937_64 random(5);
     for (const auto& [size, count] : boxes)
         for (int trial = 0; trial < 4; ++trial) {
@@ -151,7 +151,8 @@ TEST_CASE("a compact address shifted along a link holds the neighbour's value, g
                             static_cast<std::int64_t>(core.at(o.x + k, o.y, o.z));
                 }
             for (const Band::GhostCopy& copy : band.ghost_copies()) {
-                CHECK(values[static_cast<std::size_t>(copy.to)] == -1); // no copy overwrites a cell or another copy
+                CHECK(values[static_cast<std::size_t>(copy.to)] ==
+                      -1); // no copy overwrites a cell or another copy
                 values[static_cast<std::size_t>(copy.to)] = values[static_cast<std::size_t>(copy.from)];
             }
 
@@ -160,7 +161,8 @@ TEST_CASE("a compact address shifted along a link holds the neighbour's value, g
                 const BandTile& t = band.tiles()[static_cast<std::size_t>(index)];
                 const Vec3<int> o = grid.tile_origin(t.tile);
                 for (int k = 0; k < Grid::tile; ++k) {
-                    if ((t.bits[Band::outermost - 1] >> k & 1) == 0) continue;
+                    if ((t.bits[Band::outermost - 1] >> k & 1) == 0)
+                        continue;
                     for (int i = 0; i < direction_count; ++i) {
                         const int row = (velocity(i, 1) + 1) + 3 * (velocity(i, 2) + 1);
                         const auto address = static_cast<std::size_t>(t.rows[row] + k + velocity(i, 0));
@@ -174,8 +176,7 @@ TEST_CASE("a compact address shifted along a link holds the neighbour's value, g
         }
 }
 
-TEST_CASE("whole tiles shifted along any link stay inside the compact arrays", "[lattice]")
-{
+TEST_CASE("whole tiles shifted along any link stay inside the compact arrays", "[lattice]") {
     std::mt19937_64 random(6);
     for (const auto& [size, count] : boxes) {
         const Grid grid(size);
@@ -189,8 +190,7 @@ TEST_CASE("whole tiles shifted along any link stay inside the compact arrays", "
     }
 }
 
-TEST_CASE("a band remembers nothing of the core it had before", "[lattice]")
-{
+TEST_CASE("a band remembers nothing of the core it had before", "[lattice]") {
     std::mt19937_64 random(7);
     for (const auto& [size, count] : boxes) {
         const Grid grid(size);

@@ -14,11 +14,12 @@ static_assert(std::is_same_v<decltype(std::declval<const Field<double>&>().view(
 static_assert(std::is_convertible_v<FieldView<double>, FieldView<const double>>);
 static_assert(!std::is_convertible_v<FieldView<const double>, FieldView<double>>);
 static_assert(std::is_same_v<decltype(std::declval<FieldView<const float>>().component(0)), const float*>);
-static_assert(!std::is_copy_constructible_v<Field<double>> && std::is_nothrow_move_constructible_v<Field<double>>);
+static_assert(!std::is_copy_constructible_v<Field<double>> &&
+              std::is_nothrow_move_constructible_v<Field<double>>);
 
-TEST_CASE("components start on cache lines and do not overlap", "[lattice]")
-{
-    for (const std::int64_t cells : {std::int64_t{1}, std::int64_t{512}, std::int64_t{513}, std::int64_t{5000}}) {
+TEST_CASE("components start on cache lines and do not overlap", "[lattice]") {
+    for (const std::int64_t cells :
+         {std::int64_t{1}, std::int64_t{512}, std::int64_t{513}, std::int64_t{5000}}) {
         Field<double> field(19, cells);
         const FieldView<double> view = field.view();
         CHECK(view.stride >= cells);
@@ -27,13 +28,14 @@ TEST_CASE("components start on cache lines and do not overlap", "[lattice]")
             view.component(k)[0] = k;
             view.component(k)[cells - 1] = k;
         }
-        for (int k = 0; k < 19; ++k) CHECK((view.component(k)[0] == k && view.component(k)[cells - 1] == k));
+        for (int k = 0; k < 19; ++k)
+            CHECK((view.component(k)[0] == k && view.component(k)[cells - 1] == k));
         CHECK(field.bytes() == 19 * static_cast<std::size_t>(view.stride) * sizeof(double));
     }
 }
 
-TEST_CASE("the same cell of all nineteen directions never falls into one set of a cache of 64 sets", "[lattice]")
-{
+TEST_CASE("the same cell of all nineteen directions never falls into one set of a cache of 64 sets",
+          "[lattice]") {
     // A stride that is a multiple of 4096 bytes would map every direction onto the same set.
     for (const std::int64_t cells : {std::int64_t{4096}, std::int64_t{32768}, std::int64_t{100000}}) {
         const Field<float> field(19, cells);
@@ -47,8 +49,7 @@ TEST_CASE("the same cell of all nineteen directions never falls into one set of 
     }
 }
 
-TEST_CASE("a view of a constant field sees what was written through the other", "[lattice]")
-{
+TEST_CASE("a view of a constant field sees what was written through the other", "[lattice]") {
     Field<double> field(2, 10);
     field.view().component(1)[7] = 42.0;
     const Field<double>& constant = field;

@@ -8,12 +8,12 @@ using namespace vesica;
 
 namespace {
 
-const Vec3<int> odd_boxes[] = {{1, 1, 1}, {3, 1, 7}, {7, 3, 1}, {8, 8, 8}, {9, 7, 3}, {17, 9, 8}, {16, 1, 17}};
+const Vec3<int> odd_boxes[] = {{1, 1, 1}, {3, 1, 7},  {7, 3, 1},  {8, 8, 8},
+                               {9, 7, 3}, {17, 9, 8}, {16, 1, 17}};
 
 } // namespace
 
-TEST_CASE("a cell's index leads back to the cell through its tile, ghosts included", "[lattice]")
-{
+TEST_CASE("a cell's index leads back to the cell through its tile, ghosts included", "[lattice]") {
     for (const Vec3<int>& size : odd_boxes) {
         const Grid grid(size);
         std::set<std::int64_t> indices;
@@ -33,8 +33,7 @@ TEST_CASE("a cell's index leads back to the cell through its tile, ghosts includ
     }
 }
 
-TEST_CASE("steps in index and in tiles lead to the neighbour", "[lattice]")
-{
+TEST_CASE("steps in index and in tiles lead to the neighbour", "[lattice]") {
     for (const Vec3<int>& size : odd_boxes) {
         const Grid grid(size);
         const Vec3<int> cell{size.x / 2, size.y / 2, size.z / 2};
@@ -49,8 +48,7 @@ TEST_CASE("steps in index and in tiles lead to the neighbour", "[lattice]")
     }
 }
 
-TEST_CASE("the interior bits of all tiles are the cells of the box, each once", "[lattice]")
-{
+TEST_CASE("the interior bits of all tiles are the cells of the box, each once", "[lattice]") {
     for (const Vec3<int>& size : odd_boxes) {
         const Grid grid(size);
         std::int64_t count = 0;
@@ -60,8 +58,8 @@ TEST_CASE("the interior bits of all tiles are the cells of the box, each once", 
             const std::uint8_t bits = grid.interior_bits(origin);
             for (int k = 0; k < Grid::tile; ++k) {
                 const int x = origin.x + k;
-                const bool inside = x >= 0 && x < size.x && origin.y >= 0 && origin.y < size.y && origin.z >= 0 &&
-                                    origin.z < size.z;
+                const bool inside = x >= 0 && x < size.x && origin.y >= 0 && origin.y < size.y &&
+                                    origin.z >= 0 && origin.z < size.z;
                 right = right && inside == ((bits >> k & 1) != 0);
                 count += bits >> k & 1;
             }
@@ -71,14 +69,15 @@ TEST_CASE("the interior bits of all tiles are the cells of the box, each once", 
     }
 }
 
-TEST_CASE("a whole tile at any cell of the box, shifted by any link, stays inside the allocation", "[lattice]")
-{
+TEST_CASE("a whole tile at any cell of the box, shifted by any link, stays inside the allocation",
+          "[lattice]") {
     for (const Vec3<int>& size : odd_boxes) {
         const Grid grid(size);
         const int last_tile = (size.x - 1) / Grid::tile * Grid::tile;
         CHECK(grid.index(0, 0, 0) % Grid::tile == 0);
         CHECK(grid.index(0, 0, 0) + grid.offset(-1, -1, -1) >= 0);
-        CHECK(grid.index(last_tile, size.y - 1, size.z - 1) + grid.offset(1, 1, 1) + Grid::tile <= grid.cells());
+        CHECK(grid.index(last_tile, size.y - 1, size.z - 1) + grid.offset(1, 1, 1) + Grid::tile <=
+              grid.cells());
         // Along x alone as well: the shifted tile ends within its own row.
         const std::int64_t row_end = grid.index(-Grid::tile, size.y - 1, size.z - 1) + grid.row_stride();
         CHECK(grid.index(last_tile + 1, size.y - 1, size.z - 1) + Grid::tile <= row_end);

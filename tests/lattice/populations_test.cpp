@@ -11,23 +11,21 @@ using namespace vesica;
 namespace {
 
 /// A number that names the population, its cell and nothing else.
-double name_of(int i, const Vec3<int>& x)
-{
+double name_of(int i, const Vec3<int>& x) {
     return i + 19.0 * ((x.x + 50) + 100.0 * ((x.y + 50) + 100.0 * (x.z + 50)));
 }
 
 template <class Body>
-void for_each_cell(const Vec3<int>& begin, const Vec3<int>& end, const Body& body)
-{
+void for_each_cell(const Vec3<int>& begin, const Vec3<int>& end, const Body& body) {
     for (int z = begin.z; z < end.z; ++z)
         for (int y = begin.y; y < end.y; ++y)
-            for (int x = begin.x; x < end.x; ++x) body(Vec3<int>{x, y, z});
+            for (int x = begin.x; x < end.x; ++x)
+                body(Vec3<int>{x, y, z});
 }
 
 /// Streams without colliding, on every cell in [begin, end).
 template <Streaming streaming>
-void stream(const PopulationView<double>& f, const Grid& grid, const Vec3<int>& begin, const Vec3<int>& end)
-{
+void stream(const PopulationView<double>& f, const Grid& grid, const Vec3<int>& begin, const Vec3<int>& end) {
     for_each_cell(begin, end, [&](const Vec3<int>& x) {
         const std::int64_t cell = grid.index(x);
         double g[direction_count];
@@ -36,15 +34,14 @@ void stream(const PopulationView<double>& f, const Grid& grid, const Vec3<int>& 
     });
 }
 
-Vec3<int> moved(const Vec3<int>& x, int i, int cells)
-{
+Vec3<int> moved(const Vec3<int>& x, int i, int cells) {
     return {x.x + cells * velocity(i, 0), x.y + cells * velocity(i, 1), x.z + cells * velocity(i, 2)};
 }
 
 } // namespace
 
-TEST_CASE("an arrived and a turned step without collision move every population by one cell each", "[lattice]")
-{
+TEST_CASE("an arrived and a turned step without collision move every population by one cell each",
+          "[lattice]") {
     const Vec3<int> size{11, 9, 7};
     const Grid grid(size);
     Field<double> field(direction_count, grid.cells());
@@ -57,7 +54,8 @@ TEST_CASE("an arrived and a turned step without collision move every population 
     bool one_cell = true;
     for (int i = 0; i < direction_count; ++i)
         for_each_cell({1, 1, 1}, {size.x - 1, size.y - 1, size.z - 1}, [&](const Vec3<int>& x) {
-            one_cell = one_cell && *f.find(Streaming::turned, i, grid.index(x)) == name_of(i, moved(x, i, -1));
+            one_cell =
+                one_cell && *f.find(Streaming::turned, i, grid.index(x)) == name_of(i, moved(x, i, -1));
         });
     CHECK(one_cell);
 
@@ -65,13 +63,13 @@ TEST_CASE("an arrived and a turned step without collision move every population 
     bool two_cells = true;
     for (int i = 0; i < direction_count; ++i)
         for_each_cell({2, 2, 2}, {size.x - 2, size.y - 2, size.z - 2}, [&](const Vec3<int>& x) {
-            two_cells = two_cells && *f.find(Streaming::arrived, i, grid.index(x)) == name_of(i, moved(x, i, -2));
+            two_cells =
+                two_cells && *f.find(Streaming::arrived, i, grid.index(x)) == name_of(i, moved(x, i, -2));
         });
     CHECK(two_cells);
 }
 
-TEST_CASE("a cell reads and writes the same places, and no two cells share one", "[lattice]")
-{
+TEST_CASE("a cell reads and writes the same places, and no two cells share one", "[lattice]") {
     const Vec3<int> size{5, 4, 3};
     const Grid grid(size);
     Field<double> field(direction_count, grid.cells());

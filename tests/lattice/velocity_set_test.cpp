@@ -10,13 +10,11 @@ using namespace vesica;
 
 namespace {
 
-double power(int base, int exponent)
-{
+double power(int base, int exponent) {
     return std::pow(static_cast<double>(base), exponent);
 }
 
-double moment(int px, int py, int pz)
-{
+double moment(int px, int py, int pz) {
     double sum = 0.0;
     for (int i = 0; i < direction_count; ++i)
         sum += weight(i) * power(velocity(i, 0), px) * power(velocity(i, 1), py) * power(velocity(i, 2), pz);
@@ -24,22 +22,23 @@ double moment(int px, int py, int pz)
 }
 
 /// int x^px y^py z^pz of a Gaussian with variance 1/3: what fluid dynamics wants of the weights.
-double gaussian_moment(int px, int py, int pz)
-{
+double gaussian_moment(int px, int py, int pz) {
     const double variance = 1.0 / 3.0;
     double product = 1.0;
     for (const int p : {px, py, pz}) {
-        if (p % 2 != 0) product = 0.0;
-        if (p == 2) product *= variance;
-        if (p == 4) product *= 3.0 * variance * variance;
+        if (p % 2 != 0)
+            product = 0.0;
+        if (p == 2)
+            product *= variance;
+        if (p == 4)
+            product *= 3.0 * variance * variance;
     }
     return product;
 }
 
 } // namespace
 
-TEST_CASE("the weights have a Gaussian's moments up to the fourth order", "[lattice]")
-{
+TEST_CASE("the weights have a Gaussian's moments up to the fourth order", "[lattice]") {
     for (int px = 0; px <= 4; ++px)
         for (int py = 0; px + py <= 4; ++py)
             for (int pz = 0; px + py + pz <= 4; ++pz) {
@@ -48,8 +47,7 @@ TEST_CASE("the weights have a Gaussian's moments up to the fourth order", "[latt
             }
 }
 
-TEST_CASE("the nineteen velocities are all cells no farther than a face's diagonal, each once", "[lattice]")
-{
+TEST_CASE("the nineteen velocities are all cells no farther than a face's diagonal, each once", "[lattice]") {
     std::set<std::tuple<int, int, int>> found;
     for (int i = 0; i < direction_count; ++i) {
         CHECK(detail::squared_speed(i) <= 2);
@@ -58,23 +56,23 @@ TEST_CASE("the nineteen velocities are all cells no farther than a face's diagon
     CHECK(found.size() == direction_count);
 }
 
-TEST_CASE("the opposite of a velocity is its negative, and opposites come in pairs", "[lattice]")
-{
+TEST_CASE("the opposite of a velocity is its negative, and opposites come in pairs", "[lattice]") {
     for (int i = 0; i < direction_count; ++i) {
-        for (int axis = 0; axis < 3; ++axis) CHECK(velocity(opposite(i), axis) == -velocity(i, axis));
+        for (int axis = 0; axis < 3; ++axis)
+            CHECK(velocity(opposite(i), axis) == -velocity(i, axis));
         CHECK(opposite(opposite(i)) == i);
         CHECK(weight(opposite(i)) == weight(i));
     }
 }
 
-TEST_CASE("nine pairs and the rest are all directions, in any loop over pairs", "[lattice]")
-{
+TEST_CASE("nine pairs and the rest are all directions, in any loop over pairs", "[lattice]") {
     std::multiset<int> visited{0};
     for_each_pair([&](auto i) {
         visited.insert(decltype(i)::value);
         visited.insert(opposite(decltype(i)::value));
     });
-    for (int i = 0; i < direction_count; ++i) CHECK(visited.count(i) == 1);
+    for (int i = 0; i < direction_count; ++i)
+        CHECK(visited.count(i) == 1);
     int next = 0;
     for_each_direction([&](auto i) { CHECK(decltype(i)::value == next++); });
     CHECK(next == direction_count);

@@ -20,34 +20,35 @@ struct Lanes {
 
 /// Numbers of all signs and many sizes, none of which overflows when squared.
 template <class T>
-Lanes<T> random_lanes(std::mt19937_64& random)
-{
+Lanes<T> random_lanes(std::mt19937_64& random) {
     std::uniform_real_distribution<double> mantissa(1.0, 2.0);
     std::uniform_int_distribution<int> exponent(-18, 18);
     Lanes<T> lanes;
-    for (T& v : lanes.value) v = static_cast<T>(std::ldexp(random() % 2 == 0 ? mantissa(random) : -mantissa(random), exponent(random)));
+    for (T& v : lanes.value)
+        v = static_cast<T>(
+            std::ldexp(random() % 2 == 0 ? mantissa(random) : -mantissa(random), exponent(random)));
     return lanes;
 }
 
 template <class T>
-void check_lanes(const Pack<T>& found, const T (&expected)[tile_width])
-{
-    for (int k = 0; k < tile_width; ++k) CHECK(found[k] == expected[k]);
+void check_lanes(const Pack<T>& found, const T (&expected)[tile_width]) {
+    for (int k = 0; k < tile_width; ++k)
+        CHECK(found[k] == expected[k]);
 }
 
 } // namespace
 
-TEMPLATE_TEST_CASE("arithmetic of packs is arithmetic of numbers, lane by lane and bit by bit", "[parallel]", double,
-                   float)
-{
+TEMPLATE_TEST_CASE("arithmetic of packs is arithmetic of numbers, lane by lane and bit by bit", "[parallel]",
+                   double, float) {
     using T = TestType;
     std::mt19937_64 random(1);
     for (int trial = 0; trial < 200; ++trial) {
         const Lanes<T> a = random_lanes<T>(random);
         const Lanes<T> b = random_lanes<T>(random);
         const Lanes<T> c = random_lanes<T>(random);
-        T sum[tile_width], difference[tile_width], product[tile_width], quotient[tile_width], fused[tile_width],
-            root[tile_width], most[tile_width], least[tile_width], absolute[tile_width], minus[tile_width];
+        T sum[tile_width], difference[tile_width], product[tile_width], quotient[tile_width],
+            fused[tile_width], root[tile_width], most[tile_width], least[tile_width], absolute[tile_width],
+            minus[tile_width];
         for (int k = 0; k < tile_width; ++k) {
             sum[k] = a.value[k] + b.value[k];
             difference[k] = a.value[k] - b.value[k];
@@ -74,13 +75,13 @@ TEMPLATE_TEST_CASE("arithmetic of packs is arithmetic of numbers, lane by lane a
         in_place += b.pack();
         in_place *= c.pack();
         in_place -= b.pack();
-        for (int k = 0; k < tile_width; ++k) CHECK(in_place[k] == sum[k] * c.value[k] - b.value[k]);
+        for (int k = 0; k < tile_width; ++k)
+            CHECK(in_place[k] == sum[k] * c.value[k] - b.value[k]);
     }
 }
 
-TEMPLATE_TEST_CASE("a number is a pack of equal numbers, and storing gives back what was loaded", "[parallel]", double,
-                   float)
-{
+TEMPLATE_TEST_CASE("a number is a pack of equal numbers, and storing gives back what was loaded",
+                   "[parallel]", double, float) {
     using T = TestType;
     const T third = T(1) / T(3);
     for (int k = 0; k < tile_width; ++k) {
@@ -90,15 +91,16 @@ TEMPLATE_TEST_CASE("a number is a pack of equal numbers, and storing gives back 
     }
     // One element off any alignment, and not a byte beyond the eight.
     T from[10], to[10] = {};
-    for (int k = 0; k < 10; ++k) from[k] = static_cast<T>(k + 1);
+    for (int k = 0; k < 10; ++k)
+        from[k] = static_cast<T>(k + 1);
     Pack<T>::load(from + 1).store(to + 1);
     CHECK(to[0] == T(0));
     CHECK(to[9] == T(0));
-    for (int k = 1; k < 9; ++k) CHECK(to[k] == from[k]);
+    for (int k = 1; k < 9; ++k)
+        CHECK(to[k] == from[k]);
 }
 
-TEMPLATE_TEST_CASE("masks compare, combine and choose lane by lane", "[parallel]", double, float)
-{
+TEMPLATE_TEST_CASE("masks compare, combine and choose lane by lane", "[parallel]", double, float) {
     using T = TestType;
     std::mt19937_64 random(2);
     for (int trial = 0; trial < 50; ++trial) {
@@ -128,20 +130,23 @@ TEMPLATE_TEST_CASE("masks compare, combine and choose lane by lane", "[parallel]
     }
 }
 
-TEMPLATE_TEST_CASE("a choice keeps what is not a number out of the other lanes", "[parallel]", double, float)
-{
+TEMPLATE_TEST_CASE("a choice keeps what is not a number out of the other lanes", "[parallel]", double,
+                   float) {
     using T = TestType;
     const Pack<T> bad(std::numeric_limits<T>::quiet_NaN());
     const Pack<T> chosen = select<T>(Pack<T>::mask(0b00001111), bad, Pack<T>(1));
-    for (int k = 0; k < tile_width; ++k) CHECK(std::isnan(chosen[k]) == (k < 4));
-    for (int k = 0; k < tile_width; ++k) CHECK(!(bad < Pack<T>(1))[k]);
+    for (int k = 0; k < tile_width; ++k)
+        CHECK(std::isnan(chosen[k]) == (k < 4));
+    for (int k = 0; k < tile_width; ++k)
+        CHECK(!(bad < Pack<T>(1))[k]);
 }
 
-TEMPLATE_TEST_CASE("the sign is a bit of its own: zero has one, and it can be set and read", "[parallel]", double, float)
-{
+TEMPLATE_TEST_CASE("the sign is a bit of its own: zero has one, and it can be set and read", "[parallel]",
+                   double, float) {
     using T = TestType;
-    const Lanes<T> values{{T(0), T(-0.0), T(1), T(-1), std::numeric_limits<T>::min(), -std::numeric_limits<T>::min(),
-                           std::numeric_limits<T>::max(), std::numeric_limits<T>::lowest()}};
+    const Lanes<T> values{{T(0), T(-0.0), T(1), T(-1), std::numeric_limits<T>::min(),
+                           -std::numeric_limits<T>::min(), std::numeric_limits<T>::max(),
+                           std::numeric_limits<T>::lowest()}};
     const auto negative = sign_bit(values.pack());
     for (int k = 0; k < tile_width; ++k) {
         CHECK(negative[k] == std::signbit(values.value[k]));
@@ -158,12 +163,11 @@ TEMPLATE_TEST_CASE("the sign is a bit of its own: zero has one, and it can be se
 }
 
 TEMPLATE_TEST_CASE("the logarithm is right to the last digits over the whole range, and most of all near one",
-                   "[parallel]", double, float)
-{
+                   "[parallel]", double, float) {
     using T = TestType;
     const double tolerance = sizeof(T) == 8 ? 5e-16 : 3e-7;
     std::mt19937_64 random(4);
-    std::uniform_real_distribution<double> any_size(-37.0, 37.0);   // powers of ten
+    std::uniform_real_distribution<double> any_size(-37.0, 37.0); // powers of ten
     std::uniform_real_distribution<double> near_one(-6.0, -0.5);
     std::uniform_real_distribution<double> around(0.5, 2.0);
     double worst = 0.0;
