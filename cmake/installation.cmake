@@ -21,6 +21,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/tools/completion/vesica.bash"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME vesica)
 foreach(folder cases data)
     if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}")
-        install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION "${CMAKE_INSTALL_DATADIR}/vesica")
+        install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION "${CMAKE_INSTALL_DATADIR}/vesica"
+            PATTERN "*.py" EXCLUDE)
     endif()
 endforeach()
