@@ -39,14 +39,17 @@ template <class V>
     const V trace = xx + yy + zz;
     const V divergence = G.divergence();
     const V trace_of_square = xx * xx + yy * yy + zz * zz + V(2) * (xy * yx + xz * zx + yz * zy);
-    return {V(0.5) * divergence, V(0.5) * (trace * trace - trace_of_square)};
+    const V K = V(0.5) * (trace * trace - trace_of_square);
+    const V restored = fma(V(1.0 / 6.0), fma(divergence, divergence, V(-2) * K), V(1));
+    return {V(0.5) * divergence, restored * restored * K};
 }
 
 /// Area of phi = 0 per area of the parallel surface through a cell at signed distance s from it:
-/// J = 1 - 2 s H + s^2 K, exact for parallel surfaces.
+/// J = 1 - 2 s H + s^2 K, exact for parallel surfaces. Where layers of a thin or sharply bent vesicle meet, s
+/// is no distance and J may come near zero or below: it is kept between 1/4 and 4.
 template <class V>
 [[gnu::always_inline]] inline V area_to_mid_surface(const Curvatures<V>& c, const V& s) {
-    return fma(s * s, c.K, fma(V(-2) * s, c.H, V(1)));
+    return smaller(larger(fma(s * s, c.K, fma(V(-2) * s, c.H, V(1))), V(0.1)), V(10));
 }
 
 /// The curvatures of phi = 0 on the normal through a cell: H0 = (H - s K)/J, K0 = K/J.

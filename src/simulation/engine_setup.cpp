@@ -4,6 +4,7 @@
 #include "measure/layer_moment.hpp"
 #include "shape/shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -18,35 +19,38 @@ BendingLaw bending_law(const BendingParameters& bending) {
     return PaperBendingLaw{bending.modulus, std::get<PaperBending>(bending.form).laplacian_coefficient};
 }
 
-/// Gains of the area's controller for a vesicle of radius R in a fluid of viscosity eta: a quarter of the
-/// largest explicit stiffness eta R, integral and derivative times from the time momentum needs across the
-/// layer and the vesicle.
+/// Gains of the area's controller for a vesicle of radius R in a fluid of viscosity eta. Half of the largest
+/// explicit stiffness eta R makes the area an oscillator of omega^2 = 4 H^2 K/(3 rho), three cells of fluid
+/// on the spring of the membrane; the derivative time damps it about critically, and the integral follows ten
+/// times more slowly.
 AreaMultiplier::Gains controller_gains(const VesicleType& type, double radius, double dynamic_viscosity,
-                                       double nu) {
+                                       double nu, double excess_area) {
     AreaMultiplier::Gains gains;
-    gains.proportional = 0.25 * dynamic_viscosity * radius;
-    gains.integral_time = 0.5 * radius * radius / nu;
-    gains.derivative_time = 0.0;
+    gains.proportional = 0.5 * dynamic_viscosity * radius;
+    gains.derivative_time = 0.2 * radius / nu;
+    gains.integral_time = 2.0 * radius / nu * std::max(1.0, 0.3 / std::max(excess_area, 0.01));
     // The sphere's mode l = 3 buckles at sigma R^2/kappa = -12. A membrane that cannot bend resists no
     // compression.
     gains.lowest_tension = -12.0 * type.bending.modulus / (radius * radius) - type.sigma;
     return gains;
 }
 
-AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosity, double nu) {
+AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosity, double nu,
+                 double excess_area) {
     struct Choose {
         const VesicleType& type;
         double radius;
         double eta;
         double nu;
+        double excess_area;
         AreaLaw operator()(const NoConstraint&) const { return FreeArea{}; }
         AreaLaw operator()(const MultiplierConstraint&) const {
-            return AreaMultiplier(controller_gains(type, radius, eta, nu));
+            return AreaMultiplier(controller_gains(type, radius, eta, nu, excess_area));
         }
         AreaLaw operator()(const PenaltyConstraint& penalty) const { return AreaPenalty{penalty.modulus}; }
         AreaLaw operator()(const PaperConstraint& paper) const { return PaperAreaPenalty{paper.alpha}; }
     };
-    return std::visit(Choose{type, radius, dynamic_viscosity, nu}, type.area.constraint);
+    return std::visit(Choose{type, radius, dynamic_viscosity, nu, excess_area}, type.area.constraint);
 }
 
 } // namespace
@@ -76,12 +80,12 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     const double radius = std::cbrt(shape->volume() * 3.0 / (4.0 * std::numbers::pi));
     setup.membrane.bending = bending_law(type.bending);
     setup.membrane.sigma = type.sigma;
-    setup.membrane.area =
-        area_law(type, radius, fluid.density * fluid.kinematic_viscosity, fluid.kinematic_viscosity);
     const double sphere = 4.0 * std::numbers::pi * radius * radius;
     setup.membrane.target.initial = shape->area();
     setup.membrane.target.final = type.area.deflation ? *type.area.deflation * sphere : shape->area();
     setup.membrane.target.ramp = type.area.ramp;
+    setup.membrane.area = area_law(type, radius, fluid.density * fluid.kinematic_viscosity,
+                                   fluid.kinematic_viscosity, setup.membrane.target.final / sphere - 1.0);
     setup.centre = vesicle.centre;
     setup.colours = std::make_shared<const InitialColours>(Grid(parameters.size), shape, vesicle.centre,
                                                            fluid.segregation, parameters.numerics.cutoff);

@@ -210,7 +210,7 @@ public:
             const V weight = V(0.5 * settings_.beta) * layer_density(V::load(fields_.chi.data() + t.slot()));
             const auto counted = V::mask(t.bits[reach::raw_curvature]);
             gaussian[at(thread)].add(select<Real>(counted, weight * here.K, V(0)));
-            square[at(thread)].add(select<Real>(counted, weight * surface.H * surface.H, V(0)));
+            square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
         });
         sums_.gaussian_curvature = merged(gaussian);
         sums_.square_mean_curvature = merged(square);
