@@ -32,17 +32,28 @@ template <class V, class ChiAround, class FluxAround>
 [[gnu::always_inline]] inline ColourDensities<V> gather_colours(const V (&g)[direction_count],
                                                                 const V& reference_density,
                                                                 const ChiAround& chi, const FluxAround& w) {
-    ColourDensities<V> arrived;
+    // Only the colour that is in the minority here is summed: the other is the rest. With its sign flipped to
+    // this cell's, a neighbour's chi >= 0 is that colour's fraction there, and 1 + chi where it is in the
+    // majority.
+    const auto blue_is_minor = sign_bit(chi(Direction<0>{}));
+    const V flip = select(blue_is_minor, V(-1), V(1));
+    V fraction_sum = V(0);
+    V separation = V(0);
+    V density = reference_density;
     for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
         constexpr int from = opposite(decltype(i)::value);
+        const V signed_fraction = flip * chi(Direction<from>{});
+        const V fraction = signed_fraction + one_where_sign_bit(signed_fraction);
         const V f = fma(V(weight(i)), reference_density, g[i]);
-        const V source_chi = chi(Direction<from>{});
-        V separation = V(0);
+        fraction_sum = fma(fraction, f, fraction_sum);
+        density += g[i];
         if constexpr (decltype(i)::value != 0)
-            separation = V(weight(i)) * w(Direction<from>{});
-        arrived.red += fma(red_fraction(source_chi), f, -separation);
-        arrived.blue += fma(blue_fraction(source_chi), f, separation);
+            separation = fma(V(weight(i)), w(Direction<from>{}), separation);
     });
+    const V minority = fma(-flip, separation, fraction_sum);
+    const V majority = density - minority;
+    const ColourDensities<V> arrived{select(blue_is_minor, majority, minority),
+                                     select(blue_is_minor, minority, majority)};
     return arrived;
 }
 

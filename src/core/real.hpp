@@ -8,68 +8,68 @@
 #include <limits>
 #include <type_traits>
 
-/// The arithmetic vocabulary of the kernels, for plain numbers. `parallel/pack.hpp` says the same words for packs
-/// of numbers, so that one kernel text serves both.
+/// The arithmetic vocabulary of the kernels, for plain numbers. `parallel/pack.hpp` says the same words for
+/// packs of numbers, so that one kernel text serves both.
 namespace vesica {
 
 template <std::floating_point T>
-constexpr T fma(T a, T b, T c)
-{
+constexpr T fma(T a, T b, T c) {
 #if defined(__FMA__)
-    return std::is_same_v<T, float> ? static_cast<T>(__builtin_fmaf(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)))
-                                    : static_cast<T>(__builtin_fma(static_cast<double>(a), static_cast<double>(b), static_cast<double>(c)));
+    return std::is_same_v<T, float>
+               ? static_cast<T>(
+                     __builtin_fmaf(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)))
+               : static_cast<T>(
+                     __builtin_fma(static_cast<double>(a), static_cast<double>(b), static_cast<double>(c)));
 #else
     return a * b + c;
 #endif
 }
 
 template <std::floating_point T>
-constexpr T select(bool mask, T yes, T no)
-{
+constexpr T select(bool mask, T yes, T no) {
     return mask ? yes : no;
 }
 
 template <std::floating_point T>
-inline T square_root(T a)
-{
+inline T square_root(T a) {
     return std::sqrt(a);
 }
 
 template <std::floating_point T>
-inline T magnitude(T a)
-{
+inline T magnitude(T a) {
     return std::abs(a);
 }
 
 template <std::floating_point T>
-constexpr T larger(T a, T b)
-{
+constexpr T larger(T a, T b) {
     return a > b ? a : b;
 }
 
 template <std::floating_point T>
-constexpr T smaller(T a, T b)
-{
+constexpr T smaller(T a, T b) {
     return a < b ? a : b;
 }
 
 /// True for -0.0 as well: the sign bit, not the order.
 template <std::floating_point T>
-inline bool sign_bit(T a)
-{
+inline bool sign_bit(T a) {
     return std::signbit(a);
+}
+
+/// One where the sign bit is set, zero elsewhere.
+template <std::floating_point T>
+inline T one_where_sign_bit(T a) {
+    return std::signbit(a) ? T(1) : T(0);
 }
 
 /// |a| with the sign bit set where `negative` holds.
 template <std::floating_point T>
-inline T with_sign_bit(bool negative, T a)
-{
+inline T with_sign_bit(bool negative, T a) {
     return std::copysign(a, negative ? T(-1) : T(1));
 }
 
 template <std::floating_point T>
-inline T logarithm(T a)
-{
+inline T logarithm(T a) {
     return std::log(a);
 }
 

@@ -14,7 +14,8 @@
 
 namespace vesica {
 
-/// Cells per tile: the unit of work along x. Fixed, so that layouts and sums do not depend on the instruction set.
+/// Cells per tile: the unit of work along x. Fixed, so that layouts and sums do not depend on the instruction
+/// set.
 inline constexpr int tile_width = 8;
 
 namespace detail {
@@ -29,8 +30,8 @@ inline constexpr int register_bytes = 16;
 
 } // namespace detail
 
-/// Eight numbers handled as one: as many machine registers as they need, on the vector extension of GCC and clang.
-/// The same text runs on SSE2, AVX2 and AVX-512. This is the only file that knows of registers.
+/// Eight numbers handled as one: as many machine registers as they need, on the vector extension of GCC and
+/// clang. The same text runs on SSE2, AVX2 and AVX-512. This is the only file that knows of registers.
 template <class T>
 struct Pack {
     static constexpr int bytes = tile_width * static_cast<int>(sizeof(T));
@@ -48,19 +49,19 @@ struct Pack {
     struct Mask {
         Lanes m[static_cast<std::size_t>(registers)];
 
-        VESICA_INLINE friend Mask operator&(Mask a, const Mask& b)
-        {
-            for (int r = 0; r < registers; ++r) a.m[r] &= b.m[r];
+        VESICA_INLINE friend Mask operator&(Mask a, const Mask& b) {
+            for (int r = 0; r < registers; ++r)
+                a.m[r] &= b.m[r];
             return a;
         }
-        VESICA_INLINE friend Mask operator|(Mask a, const Mask& b)
-        {
-            for (int r = 0; r < registers; ++r) a.m[r] |= b.m[r];
+        VESICA_INLINE friend Mask operator|(Mask a, const Mask& b) {
+            for (int r = 0; r < registers; ++r)
+                a.m[r] |= b.m[r];
             return a;
         }
-        VESICA_INLINE friend Mask operator!(Mask a)
-        {
-            for (int r = 0; r < registers; ++r) a.m[r] = ~a.m[r];
+        VESICA_INLINE friend Mask operator!(Mask a) {
+            for (int r = 0; r < registers; ++r)
+                a.m[r] = ~a.m[r];
             return a;
         }
         VESICA_INLINE bool operator[](int lane) const { return m[lane / lanes][lane % lanes] != 0; }
@@ -70,73 +71,73 @@ struct Pack {
 
     VESICA_INLINE Pack() : v{} {}
     template <class A>
-        requires std::is_arithmetic_v<A>
-    VESICA_INLINE Pack(A a) // NOLINT(google-explicit-constructor): a number is a pack of equal numbers
+    requires std::is_arithmetic_v<A>
+        VESICA_INLINE Pack(A a) // NOLINT(google-explicit-constructor): a number is a pack of equal numbers
     {
         const T value = static_cast<T>(a);
-        for (int r = 0; r < registers; ++r) v[r] = value - Native{};
+        for (int r = 0; r < registers; ++r)
+            v[r] = value - Native{};
     }
 
-    VESICA_INLINE static Pack load(const T* from)
-    {
+    VESICA_INLINE static Pack load(const T* from) {
         Pack a;
-        for (int r = 0; r < registers; ++r) a.v[r] = *reinterpret_cast<const Unaligned*>(from + r * lanes);
+        for (int r = 0; r < registers; ++r)
+            a.v[r] = *reinterpret_cast<const Unaligned*>(from + r * lanes);
         return a;
     }
-    VESICA_INLINE void store(T* to) const
-    {
-        for (int r = 0; r < registers; ++r) *reinterpret_cast<Unaligned*>(to + r * lanes) = v[r];
+    VESICA_INLINE void store(T* to) const {
+        for (int r = 0; r < registers; ++r)
+            *reinterpret_cast<Unaligned*>(to + r * lanes) = v[r];
     }
 
     VESICA_INLINE T operator[](int lane) const { return v[lane / lanes][lane % lanes]; }
 
-    VESICA_INLINE Pack& operator+=(const Pack& b)
-    {
-        for (int r = 0; r < registers; ++r) v[r] += b.v[r];
+    VESICA_INLINE Pack& operator+=(const Pack& b) {
+        for (int r = 0; r < registers; ++r)
+            v[r] += b.v[r];
         return *this;
     }
-    VESICA_INLINE Pack& operator-=(const Pack& b)
-    {
-        for (int r = 0; r < registers; ++r) v[r] -= b.v[r];
+    VESICA_INLINE Pack& operator-=(const Pack& b) {
+        for (int r = 0; r < registers; ++r)
+            v[r] -= b.v[r];
         return *this;
     }
-    VESICA_INLINE Pack& operator*=(const Pack& b)
-    {
-        for (int r = 0; r < registers; ++r) v[r] *= b.v[r];
+    VESICA_INLINE Pack& operator*=(const Pack& b) {
+        for (int r = 0; r < registers; ++r)
+            v[r] *= b.v[r];
         return *this;
     }
     VESICA_INLINE friend Pack operator+(Pack a, const Pack& b) { return a += b; }
     VESICA_INLINE friend Pack operator-(Pack a, const Pack& b) { return a -= b; }
     VESICA_INLINE friend Pack operator*(Pack a, const Pack& b) { return a *= b; }
-    VESICA_INLINE friend Pack operator/(Pack a, const Pack& b)
-    {
-        for (int r = 0; r < registers; ++r) a.v[r] /= b.v[r];
+    VESICA_INLINE friend Pack operator/(Pack a, const Pack& b) {
+        for (int r = 0; r < registers; ++r)
+            a.v[r] /= b.v[r];
         return a;
     }
-    VESICA_INLINE friend Pack operator-(Pack a)
-    {
-        for (int r = 0; r < registers; ++r) a.v[r] = -a.v[r];
+    VESICA_INLINE friend Pack operator-(Pack a) {
+        for (int r = 0; r < registers; ++r)
+            a.v[r] = -a.v[r];
         return a;
     }
 
-    VESICA_INLINE friend Mask operator<(const Pack& a, const Pack& b)
-    {
+    VESICA_INLINE friend Mask operator<(const Pack& a, const Pack& b) {
         Mask mask;
-        for (int r = 0; r < registers; ++r) mask.m[r] = (Lanes)(a.v[r] < b.v[r]);
+        for (int r = 0; r < registers; ++r)
+            mask.m[r] = (Lanes)(a.v[r] < b.v[r]);
         return mask;
     }
     VESICA_INLINE friend Mask operator>(const Pack& a, const Pack& b) { return b < a; }
-    VESICA_INLINE friend Mask operator<=(const Pack& a, const Pack& b)
-    {
+    VESICA_INLINE friend Mask operator<=(const Pack& a, const Pack& b) {
         Mask mask;
-        for (int r = 0; r < registers; ++r) mask.m[r] = (Lanes)(a.v[r] <= b.v[r]);
+        for (int r = 0; r < registers; ++r)
+            mask.m[r] = (Lanes)(a.v[r] <= b.v[r]);
         return mask;
     }
     VESICA_INLINE friend Mask operator>=(const Pack& a, const Pack& b) { return b <= a; }
 
     /// Lane k of the mask is bit k of `bits`.
-    VESICA_INLINE static Mask mask(std::uint8_t bits)
-    {
+    VESICA_INLINE static Mask mask(std::uint8_t bits) {
         alignas(width_bytes) static constexpr Bits lane_bits[tile_width] = {1, 2, 4, 8, 16, 32, 64, 128};
         Mask mask;
         for (int r = 0; r < registers; ++r) {
@@ -153,15 +154,14 @@ struct scalar_of<Pack<T>> {
 };
 
 template <class T>
-VESICA_INLINE Pack<T> select(const typename Pack<T>::Mask& mask, Pack<T> yes, const Pack<T>& no)
-{
-    for (int r = 0; r < Pack<T>::registers; ++r) yes.v[r] = mask.m[r] ? yes.v[r] : no.v[r];
+VESICA_INLINE Pack<T> select(const typename Pack<T>::Mask& mask, Pack<T> yes, const Pack<T>& no) {
+    for (int r = 0; r < Pack<T>::registers; ++r)
+        yes.v[r] = mask.m[r] ? yes.v[r] : no.v[r];
     return yes;
 }
 
 template <class T>
-VESICA_INLINE Pack<T> fma(Pack<T> a, const Pack<T>& b, const Pack<T>& c)
-{
+VESICA_INLINE Pack<T> fma(Pack<T> a, const Pack<T>& b, const Pack<T>& c) {
     using P = Pack<T>;
     for (int r = 0; r < P::registers; ++r) {
 #if defined(__AVX512F__)
@@ -182,8 +182,7 @@ VESICA_INLINE Pack<T> fma(Pack<T> a, const Pack<T>& b, const Pack<T>& c)
 }
 
 template <class T>
-VESICA_INLINE Pack<T> square_root(Pack<T> a)
-{
+VESICA_INLINE Pack<T> square_root(Pack<T> a) {
     using P = Pack<T>;
     for (int r = 0; r < P::registers; ++r) {
 #if defined(__AVX512F__)
@@ -201,35 +200,45 @@ VESICA_INLINE Pack<T> square_root(Pack<T> a)
             continue;
         }
 #endif
-        for (int k = 0; k < P::lanes; ++k) a.v[r][k] = std::sqrt(a.v[r][k]);
+        for (int k = 0; k < P::lanes; ++k)
+            a.v[r][k] = std::sqrt(a.v[r][k]);
     }
     return a;
 }
 
 template <class T>
-VESICA_INLINE Pack<T> larger(const Pack<T>& a, const Pack<T>& b)
-{
+VESICA_INLINE Pack<T> larger(const Pack<T>& a, const Pack<T>& b) {
     return select<T>(a > b, a, b);
 }
 
 template <class T>
-VESICA_INLINE Pack<T> smaller(const Pack<T>& a, const Pack<T>& b)
-{
+VESICA_INLINE Pack<T> smaller(const Pack<T>& a, const Pack<T>& b) {
     return select<T>(a < b, a, b);
 }
 
 template <class T>
-VESICA_INLINE typename Pack<T>::Mask sign_bit(const Pack<T>& a)
-{
+VESICA_INLINE typename Pack<T>::Mask sign_bit(const Pack<T>& a) {
     typename Pack<T>::Mask mask;
     using Lanes = typename Pack<T>::Lanes;
-    for (int r = 0; r < Pack<T>::registers; ++r) mask.m[r] = (Lanes)((Lanes)a.v[r] < 0);
+    for (int r = 0; r < Pack<T>::registers; ++r)
+        mask.m[r] = (Lanes)((Lanes)a.v[r] < 0);
     return mask;
 }
 
+/// One where the sign bit is set, zero elsewhere: the sign spread over the lane, and with the bits of one.
 template <class T>
-VESICA_INLINE Pack<T> magnitude(Pack<T> a)
-{
+VESICA_INLINE Pack<T> one_where_sign_bit(Pack<T> a) {
+    using Lanes = typename Pack<T>::Lanes;
+    using Native = typename Pack<T>::Native;
+    constexpr int sign = static_cast<int>(sizeof(T)) * 8 - 1;
+    const Pack<T> one(1);
+    for (int r = 0; r < Pack<T>::registers; ++r)
+        a.v[r] = (Native)(((Lanes)a.v[r] >> sign) & (Lanes)one.v[r]);
+    return a;
+}
+
+template <class T>
+VESICA_INLINE Pack<T> magnitude(Pack<T> a) {
     using Lanes = typename Pack<T>::Lanes;
     using Bits = typename Pack<T>::Bits;
     for (int r = 0; r < Pack<T>::registers; ++r)
@@ -239,21 +248,20 @@ VESICA_INLINE Pack<T> magnitude(Pack<T> a)
 
 /// |a| with the sign bit set in the lanes of `negative`.
 template <class T>
-VESICA_INLINE Pack<T> with_sign_bit(const typename Pack<T>::Mask& negative, Pack<T> a)
-{
+VESICA_INLINE Pack<T> with_sign_bit(const typename Pack<T>::Mask& negative, Pack<T> a) {
     using Lanes = typename Pack<T>::Lanes;
     using Bits = typename Pack<T>::Bits;
     a = magnitude(a);
     for (int r = 0; r < Pack<T>::registers; ++r)
-        a.v[r] = (typename Pack<T>::Native)((Lanes)a.v[r] | (negative.m[r] & std::numeric_limits<Bits>::min()));
+        a.v[r] =
+            (typename Pack<T>::Native)((Lanes)a.v[r] | (negative.m[r] & std::numeric_limits<Bits>::min()));
     return a;
 }
 
 /// Natural logarithm of positive normal numbers: x = 2^e m with m in [1/sqrt 2, sqrt 2),
 /// ln x = e ln 2 + 2 artanh((m - 1)/(m + 1)). Relative error below 4e-16 (2e-7 in single), tested.
 template <class T>
-VESICA_INLINE Pack<T> logarithm(const Pack<T>& x)
-{
+VESICA_INLINE Pack<T> logarithm(const Pack<T>& x) {
     using P = Pack<T>;
     using Lanes = typename P::Lanes;
     using Bits = typename P::Bits;
@@ -273,10 +281,12 @@ VESICA_INLINE Pack<T> logarithm(const Pack<T>& x)
     P series;
     if constexpr (wide) {
         series = P(2.0 / 23);
-        for (int k = 21; k >= 3; k -= 2) series = fma<T>(series, z2, P(2.0 / k));
+        for (int k = 21; k >= 3; k -= 2)
+            series = fma<T>(series, z2, P(2.0 / k));
     } else {
         series = P(2.0 / 11);
-        for (int k = 9; k >= 3; k -= 2) series = fma<T>(series, z2, P(2.0 / k));
+        for (int k = 9; k >= 3; k -= 2)
+            series = fma<T>(series, z2, P(2.0 / k));
     }
     // 2 z + z^3 series; ln 2 in two parts keeps the sum exact where e is large.
     constexpr double ln2_high = 6.93147180369123816490e-01;
