@@ -104,8 +104,8 @@ TEST_CASE("positions in SI are exact on the lattice, and lattice numbers stay be
 
 TEST_CASE("times in SI become whole steps") {
     const std::string text =
-        red_cell("time_step = \"5 ns\"", water) + "[output]\nmetrics = { every = \"12.4 ns\" }\n";
-    CHECK(reading(text).output.metrics_every == 2);
+        red_cell("time_step = \"5 ns\"", water) + "[output]\nmetrics = { every = \"12.6 ns\" }\n";
+    CHECK(reading(text).output.metrics_every == 3);
     CHECK(reading(red_cell("time_step = \"5 ns\"", water) + "wall_time = \"2 h\"\n").run.wall_time == 7200.0);
 }
 
