@@ -6,7 +6,7 @@
 #include "simulation/engine.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/fluid_step.hpp"
-#include "simulation/layer.hpp"
+#include "simulation/layer_placement.hpp"
 
 #include <optional>
 

@@ -142,37 +142,7 @@ public:
 
     /// Lays the band out around where the core is now. Colours stay; what the band lets go of is given back
     /// by the next locate().
-    void follow_core(const PopulationView<Real>& f, Streaming streaming, int threads) {
-        std::vector<Band::Seed> core;
-        for (std::size_t k = 0; k < core_bits_.size(); ++k)
-            if (core_bits_[k] != 0)
-                core.push_back({band_.tiles()[k].tile, core_bits_[k]});
-
-        const std::vector<BandTile> old_tiles = band_.tiles();
-        const std::vector<Real> old_chi = fields_.chi;
-        const std::vector<Real> old_density = fields_.density;
-        std::vector<std::int32_t> old_slots(static_cast<std::size_t>(band_.grid().tiles()), -1);
-        for (const BandTile& t : old_tiles) {
-            old_slots[at(t.tile)] = t.slot();
-            for (int k = 0; k < tile_width; ++k)
-                if ((t.bits[Band::outermost] >> k & 1) != 0)
-                    set_side(t.tile, k, sign_bit(old_chi[at(t.slot() + k)]));
-        }
-        lay_out(core);
-        std::vector<std::uint8_t> kept(static_cast<std::size_t>(band_.grid().tiles()), 0);
-        for (const BandTile& t : band_.tiles()) {
-            kept[at(t.tile)] = t.bits[reach::colour];
-            const std::int32_t old = old_slots[at(t.tile)];
-            for (int k = 0; k < tile_width; ++k) {
-                const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
-                const bool holds_both = (t.bits[reach::colour] >> k & 1) != 0;
-                fields_.chi[at(t.slot() + k)] =
-                    old >= 0 && holds_both ? old_chi[at(old + k)] : with_sign_bit(red, Real(0));
-            }
-        }
-        let_go(old_tiles, old_chi, old_density, kept);
-        weigh(f, streaming, threads);
-    }
+    void follow_core(const PopulationView<Real>& f, Streaming streaming, int threads);
 
     /// n = grad s/|grad s| (mapped) or -grad phi/|grad phi| (paper), and the segregation flux.
     void normals(int threads) {
@@ -351,45 +321,11 @@ private:
         bits = static_cast<std::uint8_t>(red ? bits | bit : bits & ~bit);
     }
 
-    void lay_out(const std::vector<Band::Seed>& core) {
-        laid_out_core_ = core;
-        for (const BandTile& t : band_.tiles())
-            force_slots_[at(t.tile)] = colour_slots_[at(t.tile)] = -1;
-        band_.rebuild(core);
-        for (const BandTile& t : band_.tiles())
-            colour_slots_[at(t.tile)] = t.slot();
-        fields_.resize(band_.compact_size());
-        if (force_.stride() < band_.compact_size())
-            force_ = Field<Real>(3, band_.compact_size() + band_.compact_size() / 4);
-        for (int a = 0; a < 3; ++a)
-            std::fill_n(force_.view().component(a), band_.compact_size(), Real(0));
-        for (const std::int32_t index : band_.of_level(reach::force)) {
-            const BandTile& t = band_.tiles()[at(index)];
-            force_slots_[at(t.tile)] = t.slot();
-        }
-        // The slot that stands for everything outside the band must be harmless.
-        std::fill_n(fields_.density.begin(), fields_.density.size(), Real(settings_.reference_density));
-    }
+    void lay_out(const std::vector<Band::Seed>& core);
 
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
-                const std::vector<Real>& density, const std::vector<std::uint8_t>& kept) {
-        LaneSum<58> gone;
-        layer_sum_ = 0.0;
-        for (const BandTile& t : tiles) {
-            const auto left = static_cast<std::uint8_t>(t.bits[reach::colour] & ~kept[at(t.tile)]);
-            if (left == 0)
-                continue;
-            const V amount = V::load(chi.data() + t.slot()) * V::load(density.data() + t.slot());
-            gone.add(select<Real>(V::mask(left), amount, V(0)));
-        }
-        LaneSum<38> layer;
-        for (const BandTile& t : band_.tiles())
-            layer.add(select<Real>(V::mask(t.bits[reach::colour]),
-                                   layer_density(V::load(fields_.chi.data() + t.slot())), V(0)));
-        leaked_ += gone.value();
-        layer_sum_ = layer.value();
-    }
+                const std::vector<Real>& density, const std::vector<std::uint8_t>& kept);
 
     template <class Sum>
     static double merged(const std::vector<Sum>& parts) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/layer.hpp"
+#include "simulation/layer_placement.hpp"
 
 #include <cmath>
 #include <cstdint>
