@@ -15,9 +15,9 @@ struct EngineState {
     Precision precision = Precision::double_precision;
     Vec3<int> size{};
     std::vector<std::vector<double>> populations; ///< 19 x cells, f_i - t_i rho0
-    std::vector<double> minority;       ///< signed minority colour fraction per cell
-    std::vector<std::uint8_t> band;     ///< per cell: bit 0 core at the last rebuild, bit 1 inside (red) side
-    std::vector<double> controllers;    ///< area constraint state, vesicle by vesicle
+    std::vector<double> minority;                 ///< signed minority colour fraction per cell
+    std::vector<std::uint8_t> band;  ///< per cell: bit 0 core at the last rebuild, bit 1 inside (red) side
+    std::vector<double> controllers; ///< area constraint state, vesicle by vesicle
 };
 
 } // namespace vesica

@@ -19,16 +19,15 @@ public:
     using std::runtime_error::runtime_error;
 
     InputError(const SourcePlace& place, const std::string& message)
-        : std::runtime_error(prefix(place) + message)
-    {
-    }
+        : std::runtime_error(prefix(place) + message) {}
 
 private:
-    static std::string prefix(const SourcePlace& place)
-    {
-        if (place.file.empty()) return {};
+    static std::string prefix(const SourcePlace& place) {
+        if (place.file.empty())
+            return {};
         std::string text = place.file + ":";
-        if (place.line > 0) text += std::to_string(place.line) + ":" + std::to_string(place.column) + ":";
+        if (place.line > 0)
+            text += std::to_string(place.line) + ":" + std::to_string(place.column) + ":";
         return text + " ";
     }
 };

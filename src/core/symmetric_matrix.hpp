@@ -20,8 +20,7 @@ struct SymmetricMatrix {
 };
 
 template <class T>
-constexpr Vec3<T> operator*(const SymmetricMatrix<T>& m, const Vec3<T>& a)
-{
+constexpr Vec3<T> operator*(const SymmetricMatrix<T>& m, const Vec3<T>& a) {
     return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.xy * a.x + m.yy * a.y + m.yz * a.z,
             m.xz * a.x + m.yz * a.y + m.zz * a.z};
 }

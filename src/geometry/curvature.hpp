@@ -46,7 +46,7 @@ template <class V>
 
 /// Area of phi = 0 per area of the parallel surface through a cell at signed distance s from it:
 /// J = 1 - 2 s H + s^2 K, exact for parallel surfaces. Where layers of a thin or sharply bent vesicle meet, s
-/// is no distance and J may come near zero or below: it is kept between 1/4 and 4.
+/// is no distance and J may come near zero or below: it is kept between 1/10 and 10.
 template <class V>
 [[gnu::always_inline]] inline V area_to_mid_surface(const Curvatures<V>& c, const V& s) {
     return smaller(larger(fma(s * s, c.K, fma(V(-2) * s, c.H, V(1))), V(0.1)), V(10));

@@ -108,7 +108,8 @@ std::string describe_fields_index(const Path& path) {
 
 std::string describe_fields(const Path& path) {
     const QuietHdf5 quiet;
-    if (H5Fis_hdf5(path.c_str()) <= 0) refuse(path, "an HDF5 file");
+    if (H5Fis_hdf5(path.c_str()) <= 0)
+        refuse(path, "an HDF5 file");
     const Hdf5File file = open_hdf5(path);
     if (H5Aexists(file, "step") > 0) {
         const FieldStep step = read_field_step(path);

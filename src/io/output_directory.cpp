@@ -93,7 +93,8 @@ std::vector<Path> removable_outputs(const Path& directory) {
     collect("", is_single_output);
     for (const Series& series : all_series)
         collect(series.directory, [&](const std::string& name) { return is_output_of(series, name); });
-    std::sort(found.begin(), found.end(), [](const Path& a, const Path& b) { return a.string() < b.string(); });
+    std::sort(found.begin(), found.end(),
+              [](const Path& a, const Path& b) { return a.string() < b.string(); });
     return found;
 }
 

@@ -11,20 +11,21 @@ namespace vesica {
 struct BandTile {
     static constexpr int levels = 10;
 
-    std::int64_t cell = 0;      ///< index of its first cell in the grid
-    std::int64_t tile = 0;      ///< index of the tile in the grid
-    std::int32_t rows[9] = {};  ///< compact address of the tile below each (dy, dz), (dy + 1) + 3 (dz + 1)
+    std::int64_t cell = 0;     ///< index of its first cell in the grid
+    std::int64_t tile = 0;     ///< index of the tile in the grid
+    std::int32_t rows[9] = {}; ///< compact address of the tile below each (dy, dz), (dy + 1) + 3 (dz + 1)
     std::uint8_t bits[levels] = {}; ///< its cells in level 0, 1, ...; cells of the box only, no ghosts
 
     /// Compact address of its first cell.
     std::int32_t slot() const { return rows[4]; }
 };
 
-/// The cells near an interface, found by growing a core of cells level by level along the lattice's own links, and
-/// the compact storage of everything that is worked out there only: value `a + k` of a compact array belongs to cell
-/// k of the tile whose compact address is `a`. Tiles that follow each other along x do so in compact arrays as well,
-/// and one unused tile parts the runs, so that loads shifted by one cell stay with their neighbours. Ghost cells at
-/// the box's periodic faces have addresses of their own and are filled by copying.
+/// The cells near an interface, found by growing a core of cells level by level along the lattice's own
+/// links, and the compact storage of everything that is worked out there only: value `a + k` of a compact
+/// array belongs to cell k of the tile whose compact address is `a`. Tiles that follow each other along x do
+/// so in compact arrays as well, and one unused tile parts the runs, so that loads shifted by one cell stay
+/// with their neighbours. Ghost cells at the box's periodic faces have addresses of their own and are filled
+/// by copying.
 class Band {
 public:
     static constexpr int outermost = BandTile::levels - 1;
@@ -56,7 +57,9 @@ public:
     /// Length of a compact array.
     std::int64_t compact_size() const { return compact_size_; }
     /// Compact address of a tile of the grid, -1 outside the band.
-    std::int32_t slot_of_tile(std::int64_t tile) const { return slot_of_tile_[static_cast<std::size_t>(tile)]; }
+    std::int32_t slot_of_tile(std::int64_t tile) const {
+        return slot_of_tile_[static_cast<std::size_t>(tile)];
+    }
 
     std::int64_t cell_count() const;
     std::size_t bytes() const;

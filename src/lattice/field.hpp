@@ -17,8 +17,7 @@ struct FieldView {
     T* component(int k) const { return data + k * stride; }
 
     operator FieldView<const T>() const // NOLINT(google-explicit-constructor): looking is always allowed
-        requires(!std::is_const_v<T>)
-    {
+        requires(!std::is_const_v<T>) {
         return {data, stride};
     }
 };
@@ -34,8 +33,7 @@ public:
     Field(int components, std::int64_t cells)
         : components_(components),
           stride_(padded_stride(cells)),
-          data_(static_cast<T*>(::operator new(bytes(), std::align_val_t{alignment})))
-    {
+          data_(static_cast<T*>(::operator new (bytes(), std::align_val_t{alignment}))) {
         static_assert(std::is_trivially_copyable_v<T>);
     }
 
@@ -44,20 +42,18 @@ public:
 
     int components() const { return components_; }
     std::int64_t stride() const { return stride_; }
-    std::size_t bytes() const
-    {
+    std::size_t bytes() const {
         return static_cast<std::size_t>(components_) * static_cast<std::size_t>(stride_) * sizeof(T);
     }
 
 private:
     struct Free {
-        void operator()(T* data) const { ::operator delete(data, std::align_val_t{alignment}); }
+        void operator()(T* data) const { ::operator delete (data, std::align_val_t{alignment}); }
     };
 
-    /// Components a page apart land in the same cache sets: nineteen streams would evict each other. A stride of
-    /// 13 cache lines beyond a multiple of the page spreads them.
-    static std::int64_t padded_stride(std::int64_t cells)
-    {
+    /// Components a page apart land in the same cache sets: nineteen streams would evict each other. A stride
+    /// of 13 cache lines beyond a multiple of the page spreads them.
+    static std::int64_t padded_stride(std::int64_t cells) {
         constexpr std::int64_t page = 4096 / static_cast<std::int64_t>(sizeof(T));
         constexpr std::int64_t shift = 13 * 64 / static_cast<std::int64_t>(sizeof(T));
         return (cells + page - 1) / page * page + shift;

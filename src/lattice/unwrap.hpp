@@ -12,8 +12,7 @@ public:
     Unwrap(const Vec3<int>& size, const Vec3<double>& reference) : size_(size), reference_(reference) {}
 
     /// Whole boxes to add to cell x of an axis, in cells.
-    int shift(int axis, int cell) const
-    {
+    int shift(int axis, int cell) const {
         const double away = (cell + 0.5 - reference_[axis]) / size_[axis];
         return -static_cast<int>(std::lround(away)) * size_[axis];
     }

@@ -8,22 +8,22 @@
 
 namespace vesica {
 
-/// Calls body(k) for k in [0, count), shared out in contiguous blocks over `threads` threads that exist already.
-/// The bodies must not depend on each other; then the result does not depend on the number of threads.
+/// Calls body(k) for k in [0, count), shared out in contiguous blocks over `threads` threads that exist
+/// already. The bodies must not depend on each other; then the result does not depend on the number of
+/// threads.
 template <class Body>
-void for_each_index(std::int64_t count, int threads, const Body& body)
-{
+void for_each_index(std::int64_t count, int threads, const Body& body) {
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
 #endif
-    for (std::int64_t k = 0; k < count; ++k) body(k);
+    for (std::int64_t k = 0; k < count; ++k)
+        body(k);
     static_cast<void>(threads);
 }
 
 /// Calls body(thread, begin, end) once per thread with its block of [0, count).
 template <class Body>
-void for_each_block(std::int64_t count, int threads, const Body& body)
-{
+void for_each_block(std::int64_t count, int threads, const Body& body) {
 #if defined(_OPENMP)
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {

@@ -6,15 +6,15 @@
 
 namespace vesica {
 
-/// Sum of many packs whose result does not depend on the order of its terms: every number is rounded once to a
-/// multiple of 2^-fraction_bits and added as an integer. Sums stay exact while |sum| < 2^(63 - fraction_bits),
-/// terms while |term| < 2^(51 - fraction_bits); the caller picks fraction_bits from the known range of the terms.
+/// Sum of many packs whose result does not depend on the order of its terms: every number is rounded once to
+/// a multiple of 2^-fraction_bits and added as an integer. Sums stay exact while |sum| < 2^(63 -
+/// fraction_bits), terms while |term| < 2^(51 - fraction_bits); the caller picks fraction_bits from the known
+/// range of the terms.
 template <int fraction_bits>
 class LaneSum {
 public:
     template <class T>
-    VESICA_INLINE void add(const Pack<T>& term)
-    {
+    VESICA_INLINE void add(const Pack<T>& term) {
         // x + 1.5 * 2^52 leaves round(x) in the low bits of the double: an integer without a conversion.
         constexpr double shifter = 6755399441055744.0;
         constexpr double scale = static_cast<double>(std::int64_t{1} << fraction_bits);
@@ -23,15 +23,15 @@ public:
                          std::bit_cast<std::int64_t>(shifter);
     }
 
-    void merge(const LaneSum& other)
-    {
-        for (int k = 0; k < tile_width; ++k) lanes_[k] += other.lanes_[k];
+    void merge(const LaneSum& other) {
+        for (int k = 0; k < tile_width; ++k)
+            lanes_[k] += other.lanes_[k];
     }
 
-    double value() const
-    {
+    double value() const {
         std::int64_t total = 0;
-        for (const std::int64_t lane : lanes_) total += lane;
+        for (const std::int64_t lane : lanes_)
+            total += lane;
         return static_cast<double>(total) / static_cast<double>(std::int64_t{1} << fraction_bits);
     }
 

@@ -10,21 +10,19 @@ namespace vesica {
 namespace {
 
 /// x moved by whole boxes to within half a box of the centre.
-double nearest_image(double x, double centre, int size)
-{
+double nearest_image(double x, double centre, int size) {
     return x - size * std::round((x - centre) / size);
 }
 
 } // namespace
 
-InitialColours::InitialColours(const Grid& grid, std::shared_ptr<const Shape> shape, const Vec3<double>& centre,
-                               double beta, double cutoff)
+InitialColours::InitialColours(const Grid& grid, std::shared_ptr<const Shape> shape,
+                               const Vec3<double>& centre, double beta, double cutoff)
     : grid_(grid),
       shape_(std::move(shape)),
       centre_(centre),
       beta_(beta),
-      inside_(static_cast<std::size_t>(grid.tiles()), 0)
-{
+      inside_(static_cast<std::size_t>(grid.tiles()), 0) {
     const Vec3<int> size = grid.size();
     // 1 - tanh^2(beta s) = cutoff at this distance.
     const double core_reach = std::atanh(std::sqrt(1.0 - cutoff)) / beta;
@@ -39,26 +37,28 @@ InitialColours::InitialColours(const Grid& grid, std::shared_ptr<const Shape> sh
                     const Vec3<double> r{nearest_image(x0 + k + 0.5, centre.x, size.x) - centre.x,
                                          nearest_image(y + 0.5, centre.y, size.y) - centre.y,
                                          nearest_image(z + 0.5, centre.z, size.z) - centre.z};
-                    if (norm(r) > outer) continue;
+                    if (norm(r) > outer)
+                        continue;
                     const double s = distance({x0 + k, y, z});
-                    if (s < 0.0) red |= 1u << k;
-                    if (std::abs(s) < core_reach) core |= 1u << k;
+                    if (s < 0.0)
+                        red |= 1u << k;
+                    if (std::abs(s) < core_reach)
+                        core |= 1u << k;
                 }
                 inside_[static_cast<std::size_t>(tile)] = static_cast<std::uint8_t>(red);
-                if (core != 0) core_.push_back({tile, static_cast<std::uint8_t>(core)});
+                if (core != 0)
+                    core_.push_back({tile, static_cast<std::uint8_t>(core)});
             }
 }
 
-double InitialColours::distance(const Vec3<int>& cell) const
-{
+double InitialColours::distance(const Vec3<int>& cell) const {
     const Vec3<int> size = grid_.size();
     return shape_->signed_distance({nearest_image(cell.x + 0.5, centre_.x, size.x),
                                     nearest_image(cell.y + 0.5, centre_.y, size.y),
                                     nearest_image(cell.z + 0.5, centre_.z, size.z)});
 }
 
-double InitialColours::chi_at(std::int64_t index) const
-{
+double InitialColours::chi_at(std::int64_t index) const {
     Vec3<int> cell = grid_.tile_origin(index / Grid::tile);
     cell.x += static_cast<int>(index % Grid::tile);
     const double s = distance(cell);

@@ -41,10 +41,11 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
         return gap_between(*shapes[a], vesicles[a].centre, *shapes[b], vesicles[b].centre, shift, reach);
     };
     if (vesicles.size() > 1)
-        remarks.push_back({Severity::error, "vesicle[1]",
-                           fmt::format("vesicle has {} elements; expected one, as several vesicles in one box are not "
-                                       "available yet; try a run for each",
-                                       vesicles.size())});
+        remarks.push_back(
+            {Severity::error, "vesicle[1]",
+             fmt::format("vesicle has {} elements; expected one, as several vesicles in one box are not "
+                         "available yet; try a run for each",
+                         vesicles.size())});
     // A box is the whole of space modulo its edges: every pair meets through 27 images, each vesicle its own
     // too.
     for (std::size_t a = 0; a < shapes.size(); ++a) {

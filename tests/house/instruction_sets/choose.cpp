@@ -1,7 +1,7 @@
 #include "choose.hpp"
 
-#define DECLARE(isa)                                                                                                   \
-    double first_isa_entry_##isa(const std::vector<double>&);                                                          \
+#define DECLARE(isa)                                                                                         \
+    double first_isa_entry_##isa(const std::vector<double>&);                                                \
     double second_isa_entry_##isa(const std::vector<double>&, void (*)(double));
 
 DECLARE(baseline)

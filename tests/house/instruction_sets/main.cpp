@@ -31,8 +31,10 @@ int main() {
     for (const Kernels& kernels : available_kernels()) {
         expect(kernels.first(values) == sum, kernels.name, "the sum differs");
         expect(kernels.second(values, accept) == sum, kernels.name, "the second sum differs");
-        expect(kernels.second(values, refuse) == -1, kernels.name, "an exception of the caller did not come through");
-        expect(kernels.second({}, accept) == -1, kernels.name, "an exception inside the set was not caught there");
+        expect(kernels.second(values, refuse) == -1, kernels.name,
+               "an exception of the caller did not come through");
+        expect(kernels.second({}, accept) == -1, kernels.name,
+               "an exception inside the set was not caught there");
         try {
             kernels.first({});
             expect(false, kernels.name, "no exception");
