@@ -53,8 +53,9 @@ function(vesica_instruction_sets target)
         target_compile_definitions(${objects} PRIVATE VESICA_ISA=${isa})
         target_compile_options(${objects} PRIVATE
             -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi ${VESICA_ISA_FLAGS_${isa}}
-            # Unique symbols of GCC cannot be made local.
-            $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+            # Unique symbols of GCC cannot be made local. GCC 12's own AVX-512 intrinsics start from undefined
+            # registers, which it then warns of.
+            $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique -Wno-maybe-uninitialized -Wno-uninitialized>)
         set_target_properties(${objects} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF)
         if(VESICA_SANITIZE)
             target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)

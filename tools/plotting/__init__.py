@@ -1,0 +1,1 @@
+"""The pictures of a finished run; see `tools/plot-run`."""
