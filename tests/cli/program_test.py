@@ -233,7 +233,7 @@ class Run(Program):
 
     def test_a_run_that_breaks_fails_with_its_place_and_keeps_what_it_wrote(self):
         status, _, errors = self.vesica("run", self.case, "-o", "target", "--steps", 5000, "--set",
-                                        "vesicle_type.rbc.bending.modulus=25", "--set", "vesicle[0].shape=spheroid",
+                                        "vesicle_type.rbc.bending.modulus=12", "--set", "vesicle[0].shape=spheroid",
                                         "--set", "vesicle[0].aspect=0.7")
         self.assertEqual(status, 1, errors)
         self.assertRegex(errors, r"failed at step \d+, cell \(\d+, \d+, \d+\)")
