@@ -23,7 +23,10 @@ build: setup
 	@cmake --preset $(PRESET) --log-level=WARNING
 	@cmake --build --preset $(PRESET)
 
-demo: build
+# The program alone: whoever wants to see it run need not wait for the tests to compile.
+demo: setup
+	@cmake --preset $(PRESET) --log-level=WARNING
+	@cmake --build --preset $(PRESET) --target vesica_program
 	build/$(PRESET)/bin/vesica run $(CASE) -o $(OUT) --overwrite
 	tools/plot-run $(OUT)
 

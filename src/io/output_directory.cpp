@@ -107,11 +107,12 @@ OutputDirectory OutputDirectory::create(const Path& path, bool overwrite) {
         throw RunError(
             fmt::format("{}: is a file; expected a directory; choose another with -o DIR", path.string()));
     const Path parent = path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
-    if (!exists(status) && !parent.empty() && !std::filesystem::is_directory(parent, none))
-        throw RunError(
-            fmt::format("{}: cannot be created: there is no directory {}; create it first, or choose "
-                        "another with -o DIR",
-                        path.string(), parent.string()));
+    if (!exists(status) && !parent.empty()) { // out/CASE, the default, needs an `out` the first time
+        std::error_code failure;
+        std::filesystem::create_directories(parent, failure);
+        if (failure)
+            fail_with_errno(parent, "cannot create the directory", failure.value());
+    }
     make_subdirectory(path);
     if (::access(path.c_str(), W_OK | X_OK) != 0)
         fail_with_errno(path, "cannot write into this directory");

@@ -28,6 +28,8 @@ TEST_CASE("a new directory is created, an empty one is taken") {
     }
     REQUIRE(refusal(scratch / "out").empty()); // a run that failed before its first file leaves an empty one
     REQUIRE(refusal(scratch.path() / "with slash" / "").empty());
+    REQUIRE(refusal(scratch.path() / "not" / "there" / "yet").empty());
+    REQUIRE(is_directory(scratch.path() / "not" / "there" / "yet"));
 }
 
 TEST_CASE("a directory that cannot serve is refused in words that say what to do") {
@@ -35,9 +37,8 @@ TEST_CASE("a directory that cannot serve is refused in words that say what to do
     put_content(scratch / "file", "");
     REQUIRE_THAT(refusal(scratch / "file"),
                  Catch::EndsWith("file: is a file; expected a directory; choose another with -o DIR"));
-    REQUIRE_THAT(refusal(scratch.path() / "no" / "out"),
-                 Catch::Contains("out: cannot be created: there is no directory " +
-                                 (scratch / "no").string() + "; create it first"));
+    REQUIRE_THAT(refusal(scratch.path() / "file" / "below" / "out"),
+                 Catch::EndsWith("below: cannot create the directory: Not a directory"));
     REQUIRE_THAT(
         refusal(scratch.path()),
         Catch::EndsWith(": is not empty; choose another directory with -o DIR, or replace the earlier run "
