@@ -1,0 +1,120 @@
+"""Runs of the program `vesica` that a validation needs: each in its own directory, done once, resumed if cut short."""
+
+import json
+import os
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+import numpy
+
+from plotting.run_directory import RunDirectory
+from plotting.surface import read_surface
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """One run: a case file, what is changed in it (key path -> TOML value as Python number, string, list), and where
+    it goes."""
+
+    name: str
+    case: Path
+    settings: dict = field(default_factory=dict)
+
+    def arguments(self):
+        changes = []
+        for key, value in self.settings.items():
+            changes += ["--set", f"{key}={json.dumps(value)}"]
+        return [str(self.case), *changes]
+
+    def stamp(self):
+        """What must not have changed if an earlier result is to stand for this run."""
+        return {"case": Path(self.case).read_text("utf-8"), "settings": self.settings}
+
+
+class Finished:
+    """A run that has ended; its numbers are read when asked for."""
+
+    def __init__(self, directory, seconds, failure):
+        self.directory = Path(directory)
+        self.seconds = seconds  # of wall time on one thread, over all its parts
+        self.failure = failure  # None, or the program's last words
+
+    @cached_property
+    def run(self):
+        return RunDirectory(self.directory)
+
+    @cached_property
+    def metrics(self):
+        """Column -> array over the samples of vesicle 0."""
+        return self.run.metrics(0)
+
+    def last(self, column):
+        return float(self.metrics[column][-1])
+
+    def at(self, step, column):
+        """The sample at this step exactly."""
+        rows = numpy.flatnonzero(self.metrics["step"] == step)
+        if len(rows) != 1:
+            raise KeyError(f"{self.directory}: no sample at step {step}")
+        return float(self.metrics[column][rows[0]])
+
+    def surface(self):
+        path, _ = self.run.last_surface()
+        return read_surface(path, 0)
+
+    def steps(self):
+        return int(self.metrics["step"][-1])
+
+
+def run_all(simulations, folder, program, processes):
+    """Runs what is not done yet, `processes` at a time with one thread each, the first in the list first.
+    Returns name -> Finished."""
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    names = [s.name for s in simulations]
+    if len(set(names)) != len(names):
+        raise ValueError(f"two runs of one name among {names}")
+    with ThreadPoolExecutor(max_workers=max(1, processes)) as pool:
+        finished = list(pool.map(lambda s: run_one(s, folder, program), simulations))
+    return dict(zip(names, finished))
+
+
+def run_one(simulation, folder, program):
+    directory = folder / simulation.name
+    stamp_file = folder / f"{simulation.name}.stamp.json"
+    stamp = simulation.stamp()
+    earlier = json.loads(stamp_file.read_text("utf-8")) if stamp_file.is_file() else {}
+    same = earlier.get("stamp") == stamp
+    if same and earlier.get("ended"):
+        return Finished(directory, earlier["seconds"], earlier["failure"])
+
+    spent = earlier.get("seconds", 0.0) if same else 0.0
+    if same and any((directory / "checkpoints").glob("*.h5")):
+        command = [program, "resume", str(directory), "--threads", "1"]
+    else:
+        spent = 0.0
+        command = [program, "run", *simulation.arguments(), "-o", str(directory), "--overwrite", "--threads", "1"]
+    _write(stamp_file, {"stamp": stamp, "ended": False, "seconds": spent})
+    print(f"   {simulation.name}: starts", flush=True)
+    started = time.monotonic()
+    environment = dict(os.environ, OMP_NUM_THREADS="1")
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+    seconds = spent + time.monotonic() - started
+    if done.returncode in (2, 3) or done.returncode < 0:  # wrong input, or stopped from outside: no result
+        print(done.stderr, file=sys.stderr)
+        raise SystemExit(f"{simulation.name}: vesica ended with status {done.returncode}")
+    failure = None if done.returncode == 0 else (done.stderr.strip().splitlines() or ["no reason given"])[-1]
+    _write(stamp_file, {"stamp": stamp, "ended": True, "seconds": seconds, "failure": failure})
+    print(f"   {simulation.name}: {seconds:.0f} s{'' if failure is None else ': ' + failure}", flush=True)
+    return Finished(directory, seconds, failure)
+
+
+def _write(path, content):
+    temporary = path.with_suffix(".tmp")
+    temporary.write_text(json.dumps(content, indent=1), encoding="utf-8")
+    temporary.replace(path)

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""Relaxation rates of the modes l = 2, 3, 4 of a nearly spherical vesicle, at equal viscosities."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+
+from validation.harmonics import decay_rate
+from validation.item import Item
+from validation.simulations import Simulation
+
+CASE = Path(__file__).with_name("sphere.toml")
+RADIUS, NU = 14.0, 0.5
+MEMBRANES = {"bending": (0.2, 0.0), "bending-and-tension": (0.2, 4e-3), "none": (0.0, 0.0)}  # name -> kappa, sigma
+BOXES = (64, 88)
+STEPS = {2: 4000, 3: 2500, 4: 1500}
+
+
+def mobility(l, ratio=1.0):
+    """m_l of a membrane that pushes along its normal only and lets its material flow (the paper's)."""
+    one = 1 + ratio
+    return l * (l + 1) * (2 * l + 1) * one / (
+        (2 * l * l * one - 2 * ratio + 1) * (2 * l * l * one + 4 * l * one + 3 * ratio)
+    )
+
+
+def inextensible_mobility(l, ratio=1.0):
+    """m_l of a membrane whose every patch keeps its area."""
+    return l * (l + 1) / (2 * l**3 + 3 * l**2 + 4 + ratio * (2 * l**3 + 3 * l**2 - 5))
+
+
+def rate(l, kappa, sigma, m):
+    """Gamma_l = kappa/(eta R^3) (l - 1)(l + 2) [l (l + 1) + sigma R^2/kappa] m_l, eta = nu."""
+    return (l - 1) * (l + 2) * (kappa * l * (l + 1) + sigma * RADIUS**2) * m(l) / (NU * RADIUS**3)
+
+
+def main():
+    item = Item(__file__, "Quasi-spherical relaxation")
+    degrees = (2,) if item.quick else tuple(STEPS)
+    boxes = BOXES[:1] if item.quick else BOXES
+    membranes = ("bending", "none") if item.quick else tuple(MEMBRANES)
+    simulations = {}
+    for box in reversed(boxes):
+        for membrane in membranes:
+            for l in degrees:
+                kappa, sigma = MEMBRANES[membrane]
+                steps = 1500 if item.quick else STEPS[l]
+                name = f"{membrane}-l{l}-box{box}"
+                simulations[membrane, l, box] = Simulation(name, CASE, {
+                    "lattice.size": [box] * 3, "vesicle[0].centre": [box / 2] * 3, "vesicle[0].radius": RADIUS,
+                    "vesicle[0].perturbation[0].l": l, "vesicle[0].perturbation[0].amplitude": 0.06 / l,
+                    "vesicle_type.vesicle.bending.modulus": kappa, "vesicle_type.vesicle.tension.sigma": sigma,
+                    "run.steps": steps, "output.surfaces.every": steps // 10,
+                })  # fmt: skip
+    finished = item.run(simulations.values())
+
+    def measured(membrane, l, box):
+        last = 1500 if item.quick else STEPS[l]
+        return decay_rate(finished[f"{membrane}-l{l}-box{box}"], l, 0.3 * last, last)
+
+    rows = []
+    for membrane in membranes:
+        if membrane == "none":
+            continue
+        kappa, sigma = MEMBRANES[membrane]
+        for l in degrees:
+            # What the layer does without a membrane (its recolouring resists a little) is not the membrane's.
+            in_box = {b: measured(membrane, l, b) - measured("none", l, b) for b in boxes}
+            found = in_box[boxes[0]]
+            if len(boxes) == 2:  # the images' influence falls with their volume fraction, 1/box^3
+                weight = (boxes[1] / boxes[0]) ** 3
+                found = (weight * in_box[boxes[1]] - in_box[boxes[0]]) / (weight - 1)
+            paper, inextensible = rate(l, kappa, sigma, mobility), rate(l, kappa, sigma, inextensible_mobility)
+            tolerance = 0.15 if item.quick else 0.05
+            item.results.relative(f"relaxation rate of l = {l}", membrane, found, paper, tolerance)
+            rows.append((membrane, l, *in_box.values(), found, paper, inextensible))
+    if not item.quick:
+        item.results.table(
+            "Relaxation rates per step, R = 14: in two boxes, without images, and in theory",
+            ("membrane", "l", *(f"box {b}" for b in boxes), "no images", "normal force only (ours)",
+             "locally inextensible"), rows)  # fmt: skip
+        for l in degrees:
+            item.results.report("rate without a membrane, per step", f"l = {l}, box {boxes[1]}",
+                                measured("none", l, boxes[1]))  # fmt: skip
+    item.finish()
+
+
+if __name__ == "__main__":
+    main()
