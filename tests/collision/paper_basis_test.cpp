@@ -1,7 +1,10 @@
 #include "collision/paper_mrt.hpp"
 #include "collision/sample_states.hpp"
+#include "measured.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace vesica;
 using namespace vesica::sample;
@@ -68,6 +71,7 @@ TEST_CASE("the matrix of the paper and its inverse are the published integers", 
 }
 
 TEST_CASE("the matrix times its inverse is the identity, from either side", "[collision]") {
+    double largest = 0.0;
     for (std::size_t a = 0; a < direction_count; ++a)
         for (std::size_t b = 0; b < direction_count; ++b) {
             double right = 0.0;
@@ -78,7 +82,9 @@ TEST_CASE("the matrix times its inverse is the identity, from either side", "[co
             }
             CHECK(std::abs(right - (a == b ? 1.0 : 0.0)) < 1e-14);
             CHECK(std::abs(left - (a == b ? 1.0 : 0.0)) < 1e-14);
+            largest = std::max({largest, std::abs(right - (a == b ? 1.0 : 0.0)), std::abs(left - (a == b ? 1.0 : 0.0))});
         }
+    test::measured("M times its inverse, less the identity", "largest element", largest);
 }
 
 TEST_CASE("the equilibrium has the paper's nineteen moments", "[collision]") {
@@ -106,15 +112,19 @@ TEST_CASE("the equilibrium has the paper's nineteen moments", "[collision]") {
         (rho / 2) * (u.x * u.x + u.z * u.z),
         (rho / 2) * (u.y * u.y + u.z * u.z),
     };
+    double largest = 0.0;
     for (int p = 0; p < direction_count; ++p) {
         INFO("moment " << p);
         CHECK(paper_moment(p, f) == Approx(expected[p]).margin(1e-15));
+        largest = std::max(largest, std::abs(paper_moment(p, f) - expected[p]));
     }
+    test::measured("moments of the equilibrium, paper's basis", "largest error", largest);
 }
 
 TEST_CASE("every moment of the paper's basis relaxes with its own rate and takes its share of the force",
           "[collision]") {
     std::mt19937_64 random(4);
+    double largest = 0.0;
     const PaperMrt collision{1.2, 0.7, 1.5, 1.9};
     for (int trial = 0; trial < 20; ++trial) {
         const Cell cell = random_cell(random);
@@ -130,6 +140,8 @@ TEST_CASE("every moment of the paper's basis relaxes with its own rate and takes
                                     (1.0 - 0.5 * lambda) * paper_moment(p, source);
             INFO("moment " << p);
             CHECK(std::abs(paper_moment(p, after) - expected) < 1e-14);
+            largest = std::max(largest, std::abs(paper_moment(p, after) - expected));
         }
     }
+    test::measured("moments after collision with source, paper's basis", "largest error", largest);
 }

@@ -1,3 +1,4 @@
+#include "measured.hpp"
 #include "simulation/exact_layer.hpp"
 
 #include <catch2/catch.hpp>
@@ -93,6 +94,8 @@ TEST_CASE("a free pear-shaped vesicle feels no net force and no net torque") {
     INFO("net " << norm(net) / total << " torque " << norm(torque) / (total * surface.radius));
     CHECK(norm(net) < 1e-3 * total);
     CHECK(norm(torque) < 1e-3 * total * surface.radius);
+    measured("net force on a pear over int |f|", "Helfrich", norm(net) / total);
+    measured("net torque on a pear over R int |f|", "Helfrich", norm(torque) / (total * surface.radius));
 }
 
 TEST_CASE("with coefficient three halves the paper's force pushes a pear through the fluid") {
@@ -106,6 +109,7 @@ TEST_CASE("with coefficient three halves the paper's force pushes a pear through
         total += norm(F);
     });
     CHECK(norm(net) > 3e-3 * total);
+    measured("net force on a pear over int |f|", "paper, coefficient 3/2", norm(net) / total);
 }
 
 TEST_CASE("a sphere is free of bending force, and the force scales with the radius to the minus three") {
@@ -123,4 +127,27 @@ TEST_CASE("a sphere is free of bending force, and the force scales with the radi
     const double half_spheroid = largest_force({10.0, 0.15, 0.0});
     CHECK(sphere < 0.02 * spheroid);
     CHECK(half_spheroid / spheroid == Approx(8.0).epsilon(0.05));
+}
+
+TEST_CASE("bending force and energy gradient differ less and less, with order 1.8 at least", "[.validation]") {
+    constexpr double radii[] = {10.0, 14.0, 20.0, 28.0};
+    for (const double c0_times_radius : {0.0, 1.6, -1.0}) {
+        double errors[4];
+        for (std::size_t k = 0; k < 4; ++k) {
+            const PolarSurface surface{radii[k], 0.15, 0.1};
+            const double c0 = c0_times_radius / radii[k];
+            Membrane membrane;
+            membrane.bending = HelfrichLaw{1.0, c0};
+            const double expected =
+                -slope_of(surface, [&](const PolarSurface& s) { return s.bending_energy(c0); });
+            const double error = power_of_forces(surface, membrane) / expected - 1.0;
+            errors[k] = std::abs(error);
+            measured("power of the bending force over -dE/d(displacement), less 1",
+                     "C0 R = " + std::to_string(c0_times_radius).substr(0, 4) +
+                         ", R = " + std::to_string(radii[k]).substr(0, 2),
+                     error);
+        }
+        CHECK(errors[2] < 0.01);
+        CHECK(std::log(errors[0] / errors[3]) / std::log(2.8) > 1.8);
+    }
 }

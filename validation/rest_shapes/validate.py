@@ -38,17 +38,17 @@ def planned(quick):
         return wanted
     for shape in ("discocyte", "prolate"):
         for v in RESOLVED:
-            add(shape, v, 30, 1.125, 1 / 4)
+            add(shape, v, 30, 2.25, 1 / 4)
     for v in SADDLES + OBLATES:
-        add("discocyte", v, 20, 0.5, 1 / 6)
+        add("discocyte", v, 20, 1.0, 1 / 4)
     for v in PROLATES:
-        add("prolate", v, 20, 0.5, 1 / 6)
-    add("stomatocyte", 0.60, 20, 0.5, 1 / 6)
-    add("discocyte", 0.667, 20, 1.5, 1 / 2, tag="-kappa1.5-nu0.5")  # the same tau_b from another kappa and nu
-    add("discocyte", 0.667, 20, 0.25, 1 / 6, tag="-kappa0.25")
+        add("prolate", v, 20, 1.0, 1 / 4)
+    add("stomatocyte", 0.60, 20, 1.0, 1 / 4)
+    add("discocyte", 0.667, 20, 1.5, 1 / 2, tag="-kappa1.5-nu0.5")  # the same tau_b from other kappa and nu
+    add("discocyte", 0.667, 20, 0.5, 1 / 6, tag="-kappa0.5-nu0.167")
     for shape in ("discocyte", "prolate"):
         for v in RESOLVED:
-            add(shape, v, 15, 0.2813, 1 / 6)
+            add(shape, v, 15, 0.5, 1 / 4)
     return wanted
 
 
@@ -112,7 +112,7 @@ def compare_runs(results, found):
             if len(errors) == 3:
                 results.at_most("energy error at R0 = 30 over that at 15", f"{shape} v = {v}", errors[2] / errors[0], 1.0)
     base = found.get("discocyte-v0.667-R20")
-    for tag in ("-kappa1.5-nu0.5", "-kappa0.25"):
+    for tag in ("-kappa1.5-nu0.5", "-kappa0.5-nu0.167"):
         other = found.get("discocyte-v0.667-R20" + tag)
         if base and other:
             results.absolute("energy error with other kappa and nu, less that with the usual ones", tag[1:],
