@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 from axisymmetric_minimiser import Shape, follow, minimise
+from off_axis_stability import stiffness_against
 from reference import TABLE, reference_shape, tabulated_shape
 
 Finding = tuple[str, float, float]
@@ -121,10 +122,21 @@ def paths(keys: Iterable[Key]) -> Iterator[Finding]:
         yield f"{branch} v = {v} C0 R_A = {c:g}: difference by the path", float(difference), 1e-9
 
 
+def off_axis() -> Iterator[Finding]:
+    """Shifts and turns cost nothing; without C0 the oblate turns elliptic at v = .75 (Seifert, Berndl, Lipowsky 1991)."""
+    for c, branch, v in CURVED[:3]:
+        low = stiffness_against(reference_shape(c, branch, v), 1)
+        yield f"{branch} v = {v} C0 R_A = {c:g}: m = 1, shift and turn over the next", abs(low[1] / low[2]), 1e-3
+    for c, v, sign in ((0.0, 0.74, 1), (0.0, 0.76, -1)):
+        low = stiffness_against(reference_shape(c, "oblate", v), 2)[0]
+        yield f"oblate v = {v}: m = 2 on the wrong side", max(0.0, -sign * low), 0.0
+
+
 def all_findings() -> Iterator[Finding]:
     yield from against_table(TABULATED)
     yield from multipliers(CURVED)
     yield from balanced_forces(CURVED)
+    yield from off_axis()
     yield from paths(CURVED[:2])
     yield from convergence([((2.0, "oblate", 0.667), (8, 12, 16, 20)), ((2.0, "prolate", 0.667), (20, 32, 44, 56))])
 

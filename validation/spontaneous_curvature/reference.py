@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 from axisymmetric_minimiser import Shape, follow, minimise
+from off_axis_stability import unstable_orders
 
 HERE = Path(__file__).resolve().parent
 TABLE = HERE.parents[1] / "data" / "helfrich" / "helfrich_c0_0_fourier.json"
@@ -15,7 +16,7 @@ TABLE = HERE.parents[1] / "data" / "helfrich" / "helfrich_c0_0_fourier.json"
 MODES = {"oblate": 32, "prolate": 64, "stomatocyte": 110}
 ENTRIES = [
     (c, branch, v)
-    for c in (-2.0, 0.0, 1.0, 2.0)
+    for c in (-2.0, -1.0, 0.0, 1.0, 2.0)
     for branch, v in (("oblate", 0.8), ("oblate", 0.667), ("prolate", 0.8), ("prolate", 0.667))
 ]
 
@@ -63,7 +64,7 @@ def row(shape: Shape, branch: str) -> dict[str, str]:
     }
     key = {"c0_times_R_A": f"{shape.spontaneous_curvature:g}", "branch": branch, "v": f"{shape.reduced_volume:g}"}
     values = {name: "" if np.isnan(value) else f"{value:.6f}" for name, value in numbers.items()}
-    return key | values | {"unstable_directions": str(shape.unstable_directions)}
+    return key | values | {"unstable_orders": " ".join(map(str, unstable_orders(shape)))}
 
 
 def main() -> None:
