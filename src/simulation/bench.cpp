@@ -59,8 +59,7 @@ BenchLimit measure_limit(int edge, Precision precision, int threads, double budg
     limit.edge = edge;
     limit.precision = precision;
     const double pass = fastest(0.5 * budget, [&] { kernels.read_modify_write(box, f.get(), threads); });
-    const double numbers =
-        static_cast<double>(bench_directions * box.layer_stride * (box.cells_per_edge + 2));
+    const double numbers = static_cast<double>(direction_count * box.layer_stride * (box.cells_per_edge + 2));
     limit.bandwidth = 2.0 * numbers * sizeof(Real) / pass;
     limit.bandwidth_mlups = 1e-6 * limit.bandwidth / (bench_numbers_per_cell * sizeof(Real));
     const double both = fastest(0.5 * budget, [&] {

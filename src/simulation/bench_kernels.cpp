@@ -1,6 +1,7 @@
 #include "simulation/bench_kernels.hpp"
 
 #include "core/input_error.hpp"
+#include "simulation/instruction_set.hpp"
 
 namespace vesica {
 
@@ -42,30 +43,23 @@ BenchBox::BenchBox(int edge) : cells_per_edge(static_cast<int>(round_up(edge, 8)
 }
 
 std::size_t BenchBox::numbers() const {
-    return static_cast<std::size_t>(direction_stride * bench_directions);
+    return static_cast<std::size_t>(direction_stride * direction_count);
 }
 
 template <class Real>
 BenchKernels<Real> bench_kernels(const std::string& instruction_set) {
-    [[maybe_unused]] const auto wanted = [&](const char* name) {
-        return instruction_set.empty() || instruction_set == name;
+    const auto chosen = [&](const char* name) {
+        return (instruction_set.empty() || instruction_set == name) && instruction_set_runs_here(name);
     };
-#if defined(__x86_64__)
-    __builtin_cpu_init();
 #ifdef VESICA_HAS_ISA_AVX512
-    // The set of -march=skylake-avx512.
-    if (wanted("avx512") && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
+    if (chosen("avx512"))
         return choose<Real>(bench_double_isa_entry_avx512, bench_single_isa_entry_avx512);
 #endif
 #ifdef VESICA_HAS_ISA_AVX2
-    if (wanted("avx2") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-        __builtin_cpu_supports("bmi2"))
+    if (chosen("avx2"))
         return choose<Real>(bench_double_isa_entry_avx2, bench_single_isa_entry_avx2);
 #endif
-#endif
-    if (wanted("baseline"))
+    if (chosen("baseline"))
         return choose<Real>(bench_double_isa_entry_baseline, bench_single_isa_entry_baseline);
     throw InputError("the instruction set \"" + instruction_set +
                      "\" is not one of this machine and build; expected baseline, avx2 or avx512");

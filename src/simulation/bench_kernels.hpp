@@ -1,14 +1,15 @@
 #pragma once
 
+#include "lattice/velocity_set.hpp"
+
 #include <cstddef>
 #include <string>
 
 namespace vesica {
 
-/// Directions of the velocity set, and numbers a cell moves per step when the populations are streamed in
-/// place: each is read once and written once.
-inline constexpr int bench_directions = 19;
-inline constexpr int bench_numbers_per_cell = 2 * bench_directions;
+/// Numbers a cell moves per step when the populations are streamed in place: each is read once and written
+/// once.
+inline constexpr int bench_numbers_per_cell = 2 * direction_count;
 
 /// A box of populations as a structure of arrays, one cell of margin on every side and one vector at the ends
 /// of the rows, so that the kernels need no special case at the edge. Directions lie `direction_stride`

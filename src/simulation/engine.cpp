@@ -2,6 +2,7 @@
 
 #include "core/input_error.hpp"
 #include "simulation/engine_entries.hpp"
+#include "simulation/instruction_set.hpp"
 
 namespace vesica {
 
@@ -9,31 +10,20 @@ namespace {
 
 struct InstructionSet {
     std::string_view name;
-    bool runs_here;
     std::unique_ptr<Engine> (*in_double)(const EngineSetup&);
     std::unique_ptr<Engine> (*in_single)(const EngineSetup&);
 };
 
-/// Best first.
-std::vector<InstructionSet> instruction_sets() {
-    std::vector<InstructionSet> sets;
+/// Those of this build, best first.
+constexpr InstructionSet instruction_sets[] = {
 #ifdef VESICA_HAS_ISA_AVX512
-    sets.push_back({"avx512",
-                    __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
-                        __builtin_cpu_supports("fma"),
-                    isa_entry_avx512_make_double_engine, isa_entry_avx512_make_single_engine});
+    {"avx512", isa_entry_avx512_make_double_engine, isa_entry_avx512_make_single_engine},
 #endif
 #ifdef VESICA_HAS_ISA_AVX2
-    sets.push_back(
-        {"avx2",
-         __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"),
-         isa_entry_avx2_make_double_engine, isa_entry_avx2_make_single_engine});
+    {"avx2", isa_entry_avx2_make_double_engine, isa_entry_avx2_make_single_engine},
 #endif
-    sets.push_back(
-        {"baseline", true, isa_entry_baseline_make_double_engine, isa_entry_baseline_make_single_engine});
-    return sets;
-}
+    {"baseline", isa_entry_baseline_make_double_engine, isa_entry_baseline_make_single_engine},
+};
 
 } // namespace
 
@@ -48,10 +38,10 @@ const std::vector<std::string>& field_names() {
 std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
                                     std::string_view instruction_set) {
     EngineSetup setup = make_engine_setup(parameters, threads);
-    for (const InstructionSet& set : instruction_sets()) {
+    for (const InstructionSet& set : instruction_sets) {
         if (!instruction_set.empty() && set.name != instruction_set)
             continue;
-        if (!set.runs_here) {
+        if (!instruction_set_runs_here(set.name)) {
             if (instruction_set.empty())
                 continue;
             throw InputError("instruction set " + std::string(instruction_set) +

@@ -38,7 +38,7 @@ Displacement travel(const BenchKernels<Real>& kernels, const BenchBox& box, cons
         for (int y = 0; y < box.cells_per_edge; ++y)
             for (int x = 0; x < box.cells_per_edge; ++x) {
                 const std::ptrdiff_t cell = Cell{x, y, z}.in(box);
-                for (int j = 0; j < bench_directions; ++j) {
+                for (int j = 0; j < direction_count; ++j) {
                     const Real value = f[static_cast<std::size_t>(j * box.direction_stride + cell)];
                     if (value == Real(1))
                         continue;
@@ -71,7 +71,7 @@ TEST_CASE("streaming in place moves every population one cell per step along its
     for (const std::string& name : instruction_sets_here()) {
         std::set<Displacement> seen;
         std::map<int, int> by_length;
-        for (int i = 0; i < bench_directions; ++i) {
+        for (int i = 0; i < direction_count; ++i) {
             const Displacement in_double = travel(bench_kernels<double>(name), box, {7, 8, 9}, i);
             CHECK(in_double == travel(bench_kernels<float>(name), box, {7, 8, 9}, i));
             seen.insert(in_double);
@@ -92,7 +92,7 @@ TEST_CASE("the read-modify-write pass touches every population of every cell onc
     for (double& value : f)
         value = 3.0;
     bench_kernels<double>().read_modify_write(box, f.data(), 2);
-    for (int i = 0; i < bench_directions; ++i)
+    for (int i = 0; i < direction_count; ++i)
         for (int z = 0; z < 16; ++z)
             for (int y = 0; y < 16; ++y)
                 for (int x = 0; x < 16; ++x)
