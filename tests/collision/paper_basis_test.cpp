@@ -82,7 +82,8 @@ TEST_CASE("the matrix times its inverse is the identity, from either side", "[co
             }
             CHECK(std::abs(right - (a == b ? 1.0 : 0.0)) < 1e-14);
             CHECK(std::abs(left - (a == b ? 1.0 : 0.0)) < 1e-14);
-            largest = std::max({largest, std::abs(right - (a == b ? 1.0 : 0.0)), std::abs(left - (a == b ? 1.0 : 0.0))});
+            largest = std::max(
+                {largest, std::abs(right - (a == b ? 1.0 : 0.0)), std::abs(left - (a == b ? 1.0 : 0.0))});
         }
     test::measured("M times its inverse, less the identity", "largest element", largest);
 }

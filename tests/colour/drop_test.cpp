@@ -91,7 +91,8 @@ void check_masses_stay(Precision precision, int edge, double radius, std::int64_
     CHECK(std::abs(after.blue / before.blue - 1.0) < tolerance);
     CHECK(!engine->trouble());
     const std::string conditions =
-        std::string(precision == Precision::double_precision ? "double" : "single") + ", " + std::to_string(steps) + " steps";
+        std::string(precision == Precision::double_precision ? "double" : "single") + ", " +
+        std::to_string(steps) + " steps";
     test::measured("red mass, relative change", conditions, after.red / before.red - 1.0);
     test::measured("blue mass, relative change", conditions, after.blue / before.blue - 1.0);
 }

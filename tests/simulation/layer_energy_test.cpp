@@ -129,7 +129,8 @@ TEST_CASE("a sphere is free of bending force, and the force scales with the radi
     CHECK(half_spheroid / spheroid == Approx(8.0).epsilon(0.05));
 }
 
-TEST_CASE("bending force and energy gradient differ less and less, with order 1.8 at least", "[.validation]") {
+TEST_CASE("bending force and energy gradient differ less and less, with order 1.8 at least",
+          "[.validation]") {
     constexpr double radii[] = {10.0, 14.0, 20.0, 28.0};
     for (const double c0_times_radius : {0.0, 1.6, -1.0}) {
         double errors[4];
