@@ -84,6 +84,21 @@ TEST_CASE("K does not see what the normals do along the normal, and H only as th
     }
 }
 
+TEST_CASE("K is the determinant of what the normals do along the surface, symmetric or not", "[geometry]") {
+    // On a lattice W need not be symmetric: with w (e1 e2 - e2 e1) added the determinant grows by w^2.
+    std::mt19937_64 random(6);
+    for (const double w : {0.3, -0.7}) {
+        const Patch patch = random_patch(random);
+        Jacobian<double> G = patch.shape_operator();
+        G.x = G.x + w * (patch.e1.x * patch.e2 - patch.e2.x * patch.e1);
+        G.y = G.y + w * (patch.e1.y * patch.e2 - patch.e2.y * patch.e1);
+        G.z = G.z + w * (patch.e1.z * patch.e2 - patch.e2.z * patch.e1);
+        const double determinant = patch.K() + w * w;
+        const double restored = 1.0 + (4.0 * patch.H() * patch.H() - 2.0 * determinant) / 6.0;
+        CHECK(curvatures_of(G, patch.n).K == Approx(restored * restored * determinant).epsilon(1e-13));
+    }
+}
+
 TEST_CASE(
     "the paper's three frames give the same curvatures, whichever is chosen, and so does the projection",
     "[geometry]") {
@@ -142,6 +157,17 @@ TEST_CASE("the curvatures of parallel surfaces lead back to the middle one exact
         check(1.0 / 12.0, 0.0, s);        // cylinder
         check(0.0, 0.0, s);               // plane
     }
+}
+
+TEST_CASE("where layers meet and s is no distance, J stays between 1/10 and 10 and the curvatures finite",
+          "[geometry]") {
+    const Curvatures<double> sphere{0.5, 0.25};
+    CHECK(area_to_mid_surface(sphere, 1.2) == Approx(0.16)); // (1 - s/R)^2, as it is
+    CHECK(area_to_mid_surface(sphere, 2.0) == 0.1);          // the sphere's own centre: no area at all
+    CHECK(map_to_mid_surface(sphere, 2.0).K == Approx(2.5));
+    CHECK(area_to_mid_surface(Curvatures<double>{0.0, -0.25}, 4.0) == 0.1); // a saddle: negative
+    CHECK(area_to_mid_surface(sphere, -4.0) == Approx(9.0));
+    CHECK(area_to_mid_surface(sphere, -8.0) == 10.0);
 }
 
 TEST_CASE("a unit vector has length one; where there is no gradient there is no normal, and no infinity",

@@ -93,9 +93,8 @@ TEST_CASE("the Jacobian's rows are the gradients of the components", "[geometry]
             return A[i][0] * x.x + A[i][1] * x.y + A[i][2] * x.z;
         };
     };
-    const Jacobian<double> J{gradient<double>(around(component(0), point)),
-                             gradient<double>(around(component(1), point)),
-                             gradient<double>(around(component(2), point))};
+    const Jacobian<double> J = jacobian<double>(Vec3<decltype(around(component(0), point))>{
+        around(component(0), point), around(component(1), point), around(component(2), point)});
     for (int j = 0; j < 3; ++j) {
         CHECK(J.x[j] == Approx(A[0][j]));
         CHECK(J.y[j] == Approx(A[1][j]));
