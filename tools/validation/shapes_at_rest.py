@@ -118,11 +118,9 @@ def at_rest(finished, shape):
 
 def pressure_jump(finished):
     """p_in - p_out far from the layer, from the last fields written."""
-    path = sorted(finished.directory.glob("**/fields*.h5"))[-1]
+    path = sorted((finished.directory / "fields").glob("step_*.h5"))[-1]
     with h5py.File(path) as file:
-        arrays = {}
-        file.visititems(lambda name, node: arrays.__setitem__(name.rpartition("/")[2], node))
-        phase, pressure = arrays["phase"][...], arrays["pressure"][...]
+        phase, pressure = file["phase"][...], file["pressure"][...]
     inside, outside = phase > 0.9999, phase < -0.9999
     if not inside.any():  # thinner than the layer's tails
         inside = phase > phase.max() - 1e-3

@@ -15,8 +15,8 @@ from validation.simulations import Simulation
 HERE = Path(__file__).parent
 SIGMA = 0.01
 RADII = (7.5, 10, 15, 22.5)
-RIPPLE = {"radius": 14.0, "sigma": 0.002, "nu": 0.5, "steps": 6000}
-BOXES = (64, 88)
+RIPPLE = {"radius": 12.0, "sigma": 0.003, "nu": 0.5, "steps": 3000}
+BOXES = (56, 80)
 
 
 def main():
@@ -25,7 +25,7 @@ def main():
     resting = {}
     for radius in radii:
         box = 8 * math.ceil((2 * radius + 20) / 8)
-        steps = 2400 if item.quick else 8000
+        steps = 2400 if item.quick else 6000
         resting[radius] = Simulation(f"rest-R{radius:g}", HERE / "drop.toml", {
             "lattice.size": [box] * 3, "vesicle[0].centre": [box / 2] * 3, "vesicle[0].radius": radius,
             "run.steps": steps, "output.fields.every": steps, "output.surfaces.every": steps,
@@ -57,7 +57,7 @@ def main():
         if radius >= 15 or item.quick:
             bound = 1e-4 if not item.quick else 3e-4
             results.at_most("spurious currents, Ca = eta u_max/sigma", f"R = {radius:g}", speed, bound)
-    results.table("Drops at rest after 8,000 steps", ("R0", "R", "p_in - p_out", "2 sigma/R", "error %",
+    results.table("Drops at rest after 6,000 steps", ("R0", "R", "p_in - p_out", "2 sigma/R", "error %",
                                                       "spurious Ca"), rows)  # fmt: skip
 
     if not item.quick:

@@ -12,7 +12,7 @@ from validation.item import Item
 from validation.shapes_at_rest import at_rest, rest_case
 
 CASE = Path(__file__).parents[1] / "rest_shapes" / "rest.toml"
-NU = 1 / 6
+NU = 1 / 4
 THREE_HALVES = {"vesicle_type.vesicle.bending.form": "paper", "vesicle_type.vesicle.bending.laplacian_coefficient": 1.5}
 WAYS = {
     "defaults": {},
@@ -20,8 +20,8 @@ WAYS = {
     "coefficient 3/2": THREE_HALVES,
     "both": {"numerics.geometry": "paper", **THREE_HALVES},
 }
-SHAPES = (("discocyte", 0.667, 15), ("discocyte", 0.667, 20), ("discocyte", 0.8, 15), ("discocyte", 0.8, 20),
-          ("prolate", 0.8, 15), ("prolate", 0.8, 20), ("stomatocyte", 0.60, 20))  # fmt: skip
+SHAPES = (("discocyte", 0.667, 15), ("discocyte", 0.667, 20), ("discocyte", 0.8, 15), ("prolate", 0.8, 15),
+          ("prolate", 0.8, 20))  # fmt: skip
 
 
 def name_of(way, shape, v, radius):
@@ -36,8 +36,8 @@ def main():
     for shape, v, radius in sorted(shapes, key=lambda s: -s[2]):
         for way, settings in ways.items():
             planned[way, shape, v, radius] = rest_case(
-                CASE, name_of(way, shape, v, radius), shape, v, radius, 4 if not item.quick else 1,
-                kappa=0.5 * radius / 20, nu=NU, settings=settings)  # fmt: skip
+                CASE, name_of(way, shape, v, radius), shape, v, radius, 2 if not item.quick else 1,
+                kappa=radius / 20, nu=NU, settings=settings)  # fmt: skip
     finished = item.run(planned.values())
 
     rows = []
@@ -54,7 +54,7 @@ def main():
             rows.append((f"{shape} v = {v}", radius, way, rest.v, rest.energy, 100 * rest.energy_error(), rest.rms,
                          rest.thickness / rest.exact_thickness, speed))  # fmt: skip
     item.results.table(
-        "Exact shapes after four bending times" if not item.quick else "An exact shape after one bending time",
+        "Exact shapes after two bending times" if not item.quick else "An exact shape after one bending time",
         ("shape", "R0", "formulas", "v", "E", "against Helfrich's E at this v, %", "rms distance from Helfrich's shape, cells",
          "axis thickness over Helfrich's", "speed of the vesicle, cells per step"), rows)  # fmt: skip
     for (way, shape, v, radius), error in errors.items():
