@@ -22,10 +22,9 @@ struct InterfaceCell {
     double K = 0.0;   ///< its Gaussian curvature
     double H0 = 0.0;  ///< mapped to phi = 0
     double K0 = 0.0;
-    double J = 1.0;          ///< area of the mid-surface per area of the parallel surface: 1 - 2 s H + s^2 K
-    double density = 1.0;    ///< rho
-    Vec3<double> u{};        ///< velocity
-    Vec3<double> gradient{}; ///< lattice gradient of phi
+    double J = 1.0;       ///< area of the mid-surface per area of the parallel surface: 1 - 2 s H + s^2 K
+    double density = 1.0; ///< rho
+    Vec3<double> u{};     ///< velocity
     double bending_force = 0.0; ///< per membrane area along n
     double tension_force = 0.0; ///< -2 (sigma + sigma_A) H0
     double weight = 0.0; ///< (beta/2)(1 - phi^2): sum of weight * q approximates int q dA over the layer

@@ -17,10 +17,8 @@ EngineState LatticeEngine<Real>::save() const {
     state.minority.assign(cells, 0.0);
     state.band.assign(cells, 0);
 
-    std::vector<std::uint8_t> in_band(layer_.inside().size(), 0);
+    const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
     std::vector<std::uint8_t> core(layer_.inside().size(), 0);
-    for (const BandTile& t : layer_.band().tiles())
-        in_band[static_cast<std::size_t>(t.tile)] = t.bits[Band::outermost];
     for (const Band::Seed& seed : layer_.core())
         core[static_cast<std::size_t>(seed.tile)] = seed.bits;
 

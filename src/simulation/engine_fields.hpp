@@ -4,6 +4,7 @@
 #include "simulation/lattice_engine.hpp"
 
 #include <cmath>
+#include <span>
 
 namespace vesica {
 
@@ -54,24 +55,33 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const {
             }
         });
     };
-    // The value of a compact array, and whether the cell belongs to the band at all.
-    const auto layer_value = [&](const std::vector<Real>& array, std::int64_t cell, double outside) {
-        const std::int32_t slot = layer_.empty() ? -1 : layer_.band().slot_of_tile(cell / tile_width);
-        return slot < 0 ? outside
-                        : static_cast<double>(array[static_cast<std::size_t>(slot + cell % tile_width)]);
+    const auto holds = [](const std::vector<std::uint8_t>& bits, std::int64_t cell) {
+        return (bits[static_cast<std::size_t>(cell / tile_width)] >> (cell % tile_width) & 1) != 0;
+    };
+    const auto layer_value = [&](const std::vector<Real>& array, std::int64_t cell) {
+        const std::int32_t slot = layer_.band().slot_of_tile(cell / tile_width);
+        return static_cast<double>(array[static_cast<std::size_t>(slot + cell % tile_width)]);
+    };
+    // Whole tiles are worked on, and in cells beyond a quantity's level what comes out means nothing.
+    const auto fill_level = [&](int level, const auto& components) {
+        const std::vector<std::uint8_t> known = layer_.cells_of_level(level);
+        fill([&](std::int64_t cell, double* out) {
+            if (!holds(known, cell))
+                return;
+            for (const std::vector<Real>& component : components)
+                *out++ = layer_value(component, cell);
+        });
+    };
+    const auto alone = [](const std::vector<Real>& array) {
+        return std::span<const std::vector<Real>>(&array, 1);
     };
     const LayerFields<Real>& layer = layer_.fields();
     if (name == "phase") {
-        std::vector<std::uint8_t> in_band(layer_.inside().size(), 0);
-        for (const BandTile& t : layer_.band().tiles())
-            in_band[static_cast<std::size_t>(t.tile)] = t.bits[Band::outermost];
+        const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
         fill([&](std::int64_t cell, double* out) {
-            const auto tile = static_cast<std::size_t>(cell / tile_width);
-            const auto bit = cell % tile_width;
-            const bool red = (layer_.inside()[tile] >> bit & 1) != 0;
-            *out = (in_band[tile] >> bit & 1) != 0 ? phase_of(layer_value(layer.chi, cell, 0.0))
-                   : red                           ? 1.0
-                                                   : -1.0;
+            *out = holds(in_band, cell)           ? phase_of(layer_value(layer.chi, cell))
+                   : holds(layer_.inside(), cell) ? 1.0
+                                                  : -1.0;
         });
     } else if (name == "density" || name == "pressure") {
         const double scale = name == "pressure" ? sound_speed_squared : 1.0;
@@ -92,14 +102,11 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const {
                 out[a] = F[a];
         });
     } else if (name == "normal") {
-        fill([&](std::int64_t cell, double* out) {
-            for (int a = 0; a < 3; ++a)
-                out[a] = layer_value(layer.n[a], cell, 0.0);
-        });
+        fill_level(reach::colour, std::span<const std::vector<Real>>(layer.n));
     } else if (name == "mean_curvature") {
-        fill([&](std::int64_t cell, double* out) { *out = layer_value(layer.H0, cell, 0.0); });
+        fill_level(reach::curvature, alone(layer.H0));
     } else if (name == "gaussian_curvature") {
-        fill([&](std::int64_t cell, double* out) { *out = layer_value(layer.K0, cell, 0.0); });
+        fill_level(reach::curvature, alone(layer.K0));
     } else if (name == "bending_force" || name == "tension_force") {
         std::vector<Real> values(layer.H0.size(), Real(0));
         for (const std::int32_t index : layer_.band().of_level(reach::force)) {
@@ -110,9 +117,9 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const {
                 std::visit([&](const auto& law) { return law.force(H, K, layer_.laplace_beltrami_of_H(t)); },
                            membrane_.bending);
             const V value = name == "bending_force" ? bending : TensionLaw{membrane_.tension()}.force(H);
-            select<Real>(V::mask(t.bits[reach::force]), value, V(0)).store(values.data() + t.slot());
+            value.store(values.data() + t.slot());
         }
-        fill([&](std::int64_t cell, double* out) { *out = layer_value(values, cell, 0.0); });
+        fill_level(reach::force, alone(values));
     } else {
         throw InputError("field \"" + std::string(name) + "\" is unknown");
     }
@@ -140,7 +147,9 @@ std::optional<Trouble> LatticeEngine<Real>::trouble() const {
         return Trouble{step_, fast.cell, vesicle, text("force", norm(F), force_allowed)};
     if (!(std::abs(fast.density - setup_.reference_density) <= density_allowed))
         return Trouble{step_, fast.cell, vesicle,
-                       text("density", fast.density, setup_.reference_density + density_allowed)};
+                       text("density", fast.density,
+                            setup_.reference_density +
+                                std::copysign(density_allowed, fast.density - setup_.reference_density))};
     if (!(fast.speed <= fastest_allowed))
         return Trouble{step_, fast.cell, vesicle, text("speed", fast.speed, fastest_allowed)};
     return std::nullopt;

@@ -60,9 +60,9 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
         const auto chi = lanes(fields.chi);
         const auto s = lanes(fields.s);
         const detail::LaneVectors<Real> n(Layer<Real>::load(fields.n, t));
-        const detail::LaneVectors<Real> gradient(layer_.phase_gradient(t));
         const bool curved = t.bits[reach::curvature] != 0;
-        const auto H0 = lanes(fields.H0);
+        const auto H0 = lanes(fields.raw_H0); // sharpening, which Lap_s H needs, adds noise to H itself
+        const auto force_H0 = lanes(fields.H0);
         const auto K0 = lanes(fields.K0);
         const auto J = lanes(fields.J);
         const detail::LaneValues<Real> laplacian(t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(t)
@@ -78,7 +78,6 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
             cell.phi = phase_of(chi[k]);
             cell.s = s[k];
             cell.n = n[k];
-            cell.gradient = gradient[k];
             cell.weight = 0.5 * setup_.layer.beta * layer_density(chi[k]);
             const std::int64_t index = t.cell + k;
             const Moments<double> m = moments_at(index);
@@ -94,9 +93,9 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
                                                                        : cell.H0;
                 if ((t.bits[reach::force] >> k & 1) != 0) {
                     cell.bending_force =
-                        std::visit([&](const auto& law) { return law.force(cell.H0, cell.K0, laplacian[k]); },
+                        std::visit([&](const auto& law) { return law.force(force_H0[k], cell.K0, laplacian[k]); },
                                    membrane_.bending);
-                    cell.tension_force = TensionLaw{membrane_.tension()}.force(cell.H0);
+                    cell.tension_force = TensionLaw{membrane_.tension()}.force(force_H0[k]);
                 }
             }
             vesicle.cells.push_back(cell);
@@ -108,9 +107,7 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
 /// changes.
 template <class Real>
 void LatticeEngine<Real>::add_inside(const Unwrap& unwrap, VesicleSnapshot& vesicle) const {
-    std::vector<std::uint8_t> in_band(layer_.inside().size(), 0);
-    for (const BandTile& t : layer_.band().tiles())
-        in_band[static_cast<std::size_t>(t.tile)] = t.bits[Band::outermost];
+    const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
     const Vec3<int> size = grid_.size();
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y) {

@@ -65,6 +65,14 @@ public:
     const LayerSettings& settings() const { return settings_; }
     bool empty() const { return band_.tiles().empty(); }
 
+    /// Per tile of the grid: bit k set where cell k belongs to a level of the band.
+    std::vector<std::uint8_t> cells_of_level(int level) const {
+        std::vector<std::uint8_t> bits(inside_.size(), 0);
+        for (const BandTile& t : band_.tiles())
+            bits[at(t.tile)] = t.bits[level];
+        return bits;
+    }
+
     std::size_t bytes() const {
         return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
                (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) +
@@ -277,6 +285,8 @@ private:
     void transport_from(const PopulationView<Real>& f, int threads) {
         std::vector<LaneSum<58>> leaked(static_cast<std::size_t>(threads));
         std::vector<LaneSum<38>> layer(static_cast<std::size_t>(threads));
+        // Exact sums have a range: amounts are counted in cells' worth of fluid, whatever its density.
+        const V per_reference = V(1.0 / settings_.reference_density);
         const Vec3<const Real*> w{fields_.w[0].data(), fields_.w[1].data(), fields_.w[2].data()};
         for_tiles(reach::receiving, threads, [&](const BandTile& t, std::size_t, int thread) {
             V g[direction_count];
@@ -294,7 +304,8 @@ private:
             const auto received = V::mask(t.bits[reach::receiving]);
             const V stays = select<Real>(holds_both, kept, V(0));
             const V gone = minority - stays;
-            leaked[at(thread)].add(select<Real>(received, select<Real>(blue_is_minor, -gone, gone), V(0)));
+            const V lost = per_reference * select<Real>(blue_is_minor, -gone, gone);
+            leaked[at(thread)].add(select<Real>(received, lost, V(0)));
             const V chi = with_sign_bit<Real>(blue_is_minor, stays / density);
             layer[at(thread)].add(select<Real>(holds_both, layer_density(chi), V(0)));
             select<Real>(received, chi, V::load(fields_.chi.data() + t.slot()))
@@ -305,7 +316,7 @@ private:
         for (const BandTile& t : band_.tiles())
             if (t.bits[reach::receiving] == 0)
                 std::copy_n(fields_.chi.data() + t.slot(), tile_width, fields_.next.data() + t.slot());
-        leaked_ += merged(leaked);
+        leaked_ += settings_.reference_density * merged(leaked);
         layer_sum_ = merged(layer);
     }
 

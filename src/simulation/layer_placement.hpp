@@ -61,20 +61,23 @@ void Layer<Real>::lay_out(const std::vector<Band::Seed>& core) {
 template <class Real>
 void Layer<Real>::let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
                          const std::vector<Real>& density, const std::vector<std::uint8_t>& kept) {
-    LaneSum<58> gone;
+    // A droplet that fades away far from the rest may leave nearly all it had at the cutoff: room for that.
+    LaneSum<50> gone;
+    const V per_reference = V(1.0 / settings_.reference_density);
     layer_sum_ = 0.0;
     for (const BandTile& t : tiles) {
         const auto left = static_cast<std::uint8_t>(t.bits[reach::colour] & ~kept[at(t.tile)]);
         if (left == 0)
             continue;
-        const V amount = V::load(chi.data() + t.slot()) * V::load(density.data() + t.slot());
+        const V amount =
+            per_reference * (V::load(chi.data() + t.slot()) * V::load(density.data() + t.slot()));
         gone.add(select<Real>(V::mask(left), amount, V(0)));
     }
     LaneSum<38> layer;
     for (const BandTile& t : band_.tiles())
         layer.add(select<Real>(V::mask(t.bits[reach::colour]),
                                layer_density(V::load(fields_.chi.data() + t.slot())), V(0)));
-    leaked_ += gone.value();
+    leaked_ += settings_.reference_density * gone.value();
     layer_sum_ = layer.value();
 }
 

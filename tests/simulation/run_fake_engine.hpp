@@ -124,7 +124,6 @@ private:
                     cell.H0 = 1.0 / vesicle.radius;
                     cell.K0 = cell.H0 * cell.H0;
                     cell.J = 1.0 - 2.0 * s * cell.H + s * s * cell.K;
-                    cell.gradient = (-beta * (1.0 - cell.phi * cell.phi)) * cell.n;
                     cell.weight = 0.5 * beta * (1.0 - cell.phi * cell.phi);
                     cell.has_geometry = true;
                     snapshot.cells.push_back(cell);
