@@ -8,10 +8,11 @@ namespace vesica {
 
 /// Where the populations of a cell lie at present. Streaming is done in place, in one array per direction, by
 /// alternating two kinds of step (the AA pattern, Bailey et al. 2009):
-///   arrived:  f_i(x) lies in slot i of x. A step reads and writes the cell itself only, f_i* to slot
-///   opposite(i). turned:   f_i(x) lies in slot opposite(i) of x - c_i. A step reads there and writes f_i* to
-///   slot i of x + c_i,
-///             the very places it has read, so that afterwards everything has arrived.
+///
+/// - arrived: f_i(x) lies in slot i of x. A step reads and writes the cell itself only, f_i* to slot
+///   opposite(i).
+/// - turned: f_i(x) lies in slot opposite(i) of x - c_i. A step reads there and writes f_i* to slot i of x +
+///   c_i, the very places it has read, so that afterwards everything has arrived.
 enum class Streaming { arrived, turned };
 
 constexpr Streaming after_step(Streaming streaming) {
