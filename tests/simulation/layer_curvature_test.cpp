@@ -1,5 +1,5 @@
-#include "shape/spheroid.hpp"
 #include "measured.hpp"
+#include "shape/spheroid.hpp"
 #include "simulation/exact_layer.hpp"
 
 #include <catch2/catch.hpp>

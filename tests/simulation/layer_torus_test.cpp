@@ -136,11 +136,13 @@ TEST_CASE("the error of the bending force on a torus falls from R = 15 to 45 wit
         errors[k] = mapped.force;
         CHECK(mapped.force < bounds[k]);
         const std::string conditions = "R = " + std::to_string(radii[k]).substr(0, 4);
-        measured("bending force on the torus a = R/2, relative rms error", "mapped, " + conditions, mapped.force);
+        measured("bending force on the torus a = R/2, relative rms error", "mapped, " + conditions,
+                 mapped.force);
         measured("raw area of the torus over 4 pi^2 R a, less 1", conditions, mapped.area);
         measured("int K dA of the torus over 4 pi", conditions, mapped.gaussian);
         const TorusErrors paper = measure_torus(radii[k], GeometryRecipe::paper);
-        measured("bending force on the torus a = R/2, relative rms error", "paper, " + conditions, paper.force);
+        measured("bending force on the torus a = R/2, relative rms error", "paper, " + conditions,
+                 paper.force);
     }
     CHECK(std::log(errors[0] / errors[3]) / std::log(3.0) > 1.6);
 }
