@@ -6,11 +6,11 @@
 #include "io/description_lines.hpp"
 #include "io/metrics_table.hpp"
 #include "io/posix_file.hpp"
+#include "io/toml_tree.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
-#include <toml++/toml.h>
 
 namespace vesica {
 namespace {
@@ -27,10 +27,28 @@ std::string cells_text(const Vec3<int>& size) {
     return fmt::format("{} x {} x {} cells", size.x, size.y, size.z);
 }
 
+/// What stands at `path`, or nothing.
+const TomlNode* find(const TomlNode& root, std::initializer_list<const char*> path) {
+    const TomlNode* found = &root;
+    for (const char* key : path) {
+        const TomlTable* table = found->table();
+        found = table == nullptr ? nullptr : find_member(*table, key);
+        if (found == nullptr)
+            return nullptr;
+    }
+    return found;
+}
+
+std::string title_of(const TomlNode& root) {
+    const TomlNode* title = find(root, {"title"});
+    const auto* text = title == nullptr ? nullptr : std::get_if<std::string>(&title->value);
+    return text == nullptr ? "(no title)" : *text;
+}
+
 std::string title_of_case(const std::string& text) {
     try {
-        return toml::parse(text)["title"].value_or(std::string("(no title)"));
-    } catch (const toml::parse_error&) {
+        return title_of(parse_toml(text, ""));
+    } catch (const InputError&) {
         return "(unreadable)";
     }
 }
@@ -100,31 +118,28 @@ std::string describe_summary(const Path& path) {
 }
 
 std::string describe_case(const Path& path) {
-    toml::table table;
-    try {
-        table = toml::parse(read_whole_file(path), path.string());
-    } catch (const toml::parse_error& error) {
-        const auto& at = error.source().begin;
-        throw InputError(SourcePlace{path.string(), static_cast<int>(at.line), static_cast<int>(at.column)},
-                         fmt::format("is not TOML: {}", error.description()));
-    }
-    const auto* size = table["lattice"]["size"].as_array();
-    if (size == nullptr || size->size() != 3)
+    const TomlNode root = parse_toml(read_whole_file(path), path.string());
+    const TomlNode* size = find(root, {"lattice", "size"});
+    if (size == nullptr || size->array() == nullptr || size->array()->size() != 3)
         refuse(path, "is TOML, but not a case: it has no lattice.size");
+    std::vector<std::string> edges;
+    for (const TomlNode& edge : *size->array())
+        edges.push_back(shown(edge));
     DescriptionLines lines(path, "case");
-    lines.add("title", table["title"].value_or(std::string("(no title)")));
-    lines.add("lattice",
-              cells_text({(*size)[0].value_or(0), (*size)[1].value_or(0), (*size)[2].value_or(0)}));
+    lines.add("title", title_of(root));
+    lines.add("lattice", fmt::format("{} cells", fmt::join(edges, " x ")));
     std::vector<std::string> types;
-    if (const auto* kinds = table["vesicle_type"].as_table())
-        for (const auto& [name, kind] : *kinds)
-            types.emplace_back(name.str());
+    if (const TomlNode* kinds = find(root, {"vesicle_type"}); kinds != nullptr && kinds->table() != nullptr)
+        for (const TomlMember& kind : *kinds->table())
+            types.push_back(kind.key);
     lines.add("types", types);
-    const auto* vesicles = table["vesicle"].as_array();
-    lines.add("vesicles", std::to_string(vesicles == nullptr ? 0 : vesicles->size()));
-    if (const auto steps = table["run"]["steps"].value<std::int64_t>())
-        lines.add("steps", std::to_string(*steps));
-    lines.add("units", table.contains("units") ? "given" : "lattice units only");
+    const TomlNode* vesicles = find(root, {"vesicle"});
+    const bool several = vesicles != nullptr && vesicles->array() != nullptr;
+    lines.add("vesicles", std::to_string(several ? vesicles->array()->size() : 0));
+    for (const char* length : {"steps", "time"})
+        if (const TomlNode* given = find(root, {"run", length}))
+            lines.add(length, shown(*given));
+    lines.add("units", find(root, {"units"}) != nullptr ? "given" : "lattice units only");
     return lines.text();
 }
 
@@ -137,6 +152,8 @@ std::string describe_file(const Path& path) {
         refuse(path, "there is no such file");
     if (is_directory(status))
         refuse(path, "is a directory");
+    if (!is_regular_file(status))
+        refuse(path, "is not a regular file");
     const std::string ending = path.extension().string();
     try {
         if (ending == ".toml")

@@ -18,19 +18,55 @@ namespace vesica {
 namespace {
 
 constexpr std::size_t longest_shown = 60;
+// Far beyond any case. toml++ counts the depth of brackets but not that of dotted keys, whose tables it nests
+// all the same, and a tree of many thousand levels overflows the stack of whoever walks or destroys it.
+constexpr int most_key_parts = 64;
+constexpr int deepest = 32;
+
+[[noreturn]] void refuse_depth(const SourcePlace& place) {
+    throw InputError(
+        place, fmt::format("the tables are nested deeper than {}; expected a case, whose deepest key is "
+                           "vesicle_type.NAME.bending.modulus; try shorter keys",
+                           deepest));
+}
+
+/// Refuses `a.a.a.a ...`. A row of dots is no key, and neither is a line of comment.
+void check_key_parts(std::string_view text, const std::string& name) {
+    int line = 1;
+    int column = 0;
+    int parts = 0;
+    char before = '\n';
+    bool comment = false;
+    for (const char c : text) {
+        ++column;
+        comment = c != '\n' && (comment || (c == '#' && before == '\n'));
+        if (c == '.' && before != '.' && !comment && ++parts > most_key_parts)
+            refuse_depth({name, line, column});
+        if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos)
+            parts = 0;
+        if (c == '\n') {
+            ++line;
+            column = 0;
+        }
+        if (c != ' ' && c != '\t')
+            before = c;
+    }
+}
 
 SourcePlace place_of(const toml::source_position& position, const std::string& name) {
     return {name, static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-TomlNode copied(const toml::node& node, const std::string& name) {
+TomlNode copied(const toml::node& node, const std::string& name, int depth = 0) {
     TomlNode result;
     result.place = place_of(node.source().begin, name);
+    if (depth > deepest)
+        refuse_depth(result.place);
     if (const auto* table = node.as_table()) {
         TomlTable members;
         for (const auto& [key, value] : *table) {
             members.push_back({std::string(key.str()), place_of(key.source().begin, name),
-                               std::make_unique<TomlNode>(copied(value, name))});
+                               std::make_unique<TomlNode>(copied(value, name, depth + 1))});
         }
         // The parser sorts by key; messages should name the first mistake of the file first.
         std::stable_sort(members.begin(), members.end(), [](const TomlMember& a, const TomlMember& b) {
@@ -41,7 +77,7 @@ TomlNode copied(const toml::node& node, const std::string& name) {
     } else if (const auto* array = node.as_array()) {
         TomlArray items;
         for (const auto& item : *array)
-            items.push_back(copied(item, name));
+            items.push_back(copied(item, name, depth + 1));
         result.value = std::move(items);
     } else if (const auto* text = node.as_string()) {
         result.value = text->get();
@@ -126,6 +162,7 @@ std::string shown(const TomlNode& node) {
 }
 
 TomlNode parse_toml(const std::string& text, const std::string& name) {
+    check_key_parts(text, name);
     try {
         return copied(toml::parse(text, name), name);
     } catch (const toml::parse_error& error) {

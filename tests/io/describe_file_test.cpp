@@ -110,7 +110,9 @@ TEST_CASE("a case is described, and a file that is no TOML is refused with its p
     REQUIRE_THAT(describe_file(path), Contains("case\n") && Contains("Two") && Contains("8 x 9 x 10 cells") &&
                                           Contains("rbc") && Contains("vesicles    2") && Contains("500"));
     put_content(path, "title = \n");
-    REQUIRE_THAT(refusal(path), StartsWith(path.string() + ":1:") && Contains("is not TOML"));
+    REQUIRE_THAT(refusal(path), StartsWith(path.string() + ":1:") && Contains("the text is no TOML"));
+    put_content(path, "[lattice]\nsize = 3\n");
+    REQUIRE_THAT(refusal(path), Contains("it has no lattice.size"));
     put_content(path, "[tool]\nname = 1\n");
     REQUIRE_THAT(refusal(path), Contains("it has no lattice.size"));
 }
@@ -121,6 +123,7 @@ TEST_CASE("anything else is refused as input") {
     put_content(scratch / "a.csv", "x,y\n1,2\n");
     REQUIRE_THAT(refusal(scratch / "none.h5"), Contains("there is no such file; expected a case (.toml) or"));
     REQUIRE_THAT(refusal(scratch.path()), Contains("is a directory"));
+    REQUIRE_THAT(refusal("/dev/zero"), Contains("is not a regular file"));
     REQUIRE_THAT(refusal(scratch / "a.txt"), Contains("is of no kind known"));
     REQUIRE_THAT(refusal(scratch / "a.csv"), Contains("it has no column step"));
     for (const char* name : {"a.vtp", "a.pvd", "a.xmf"}) {
