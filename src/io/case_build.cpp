@@ -102,23 +102,12 @@ GhostRates read_ghosts(const CaseValues& values) {
     return RegularisedGhosts{};
 }
 
-FluidParameters read_fluid(CaseValues& values, const CaseUnits& units) {
+FluidParameters read_fluid(const CaseValues& values, const CaseUnits& units) {
     FluidParameters fluid;
     fluid.kinematic_viscosity = units.kinematic_viscosity;
     fluid.density = units.density;
     fluid.segregation = values.number("fluid.segregation");
     fluid.ghosts = read_ghosts(values);
-
-    std::string path = "fluid.kinematic_viscosity";
-    for (const std::string other : {"fluid.relaxation_time", "fluid.dynamic_viscosity"}) {
-        if (values.given(other))
-            path = other;
-    }
-    const double nu = fluid.kinematic_viscosity;
-    if (nu > 1.0)
-        values.warn(path, fmt::format("{:.4g} cells^2/step makes the lattice inaccurate; try at most 1", nu));
-    if (nu < 0.005)
-        values.warn(path, fmt::format("{:.4g} cells^2/step may be unstable; try at least 0.005", nu));
     return fluid;
 }
 
@@ -189,7 +178,7 @@ OutputParameters read_output(const CaseValues& values, const Vec3<int>& size) {
     return output;
 }
 
-void check_fit(CaseValues& values, const Parameters& parameters, const VesicleParameters& vesicle,
+void check_fit(const CaseValues& values, const Parameters& parameters, const VesicleParameters& vesicle,
                const std::string& path) {
     const double beta = parameters.fluid.segregation;
     if (vesicle.radius > 0.0 && judge_resolution(beta, vesicle.radius) == Resolution::error)
@@ -199,7 +188,6 @@ void check_fit(CaseValues& values, const Parameters& parameters, const VesiclePa
                         "times fluid.segregation below {:g}); try radius = 15",
                         resolution_error / beta, resolution_error));
     const Vec3<double> half = least_half_widths(vesicle);
-    const double gap = 2.0 / beta + 2.0;
     for (int a = 0; a < 3; ++a) {
         const int side = parameters.size[a];
         if (vesicle.centre[a] < 0.0 || vesicle.centre[a] > side)
@@ -213,12 +201,6 @@ void check_fit(CaseValues& values, const Parameters& parameters, const VesiclePa
                                       "wide along {}, where lattice.size is {}; try a smaller "
                                       "radius or a larger box",
                                       2.0 * half[a], "xyz"[a], side));
-        if (2.0 * half[a] + gap > side)
-            values.warn(
-                path + ".radius",
-                fmt::format("it is less than {:.3g} cells away from its own periodic image along {}, so that "
-                            "their interfaces overlap; try a larger lattice.size",
-                            gap, "xyz"[a]));
     }
 }
 

@@ -95,7 +95,7 @@ Perturbation read_perturbation(const CaseValues& values, const std::string& path
 
 } // namespace
 
-VesicleType build_vesicle_type(CaseValues& values, const std::string& path) {
+VesicleType build_vesicle_type(const CaseValues& values, const std::string& path) {
     VesicleType type;
     type.name = path.substr(path.find('.') + 1);
     type.viscosity_ratio = values.number(path + ".viscosity_ratio");
@@ -105,7 +105,7 @@ VesicleType build_vesicle_type(CaseValues& values, const std::string& path) {
     return type;
 }
 
-VesicleParameters build_vesicle(CaseValues& values, const std::string& path,
+VesicleParameters build_vesicle(const CaseValues& values, const std::string& path,
                                 const std::vector<VesicleType>& types, const std::filesystem::path& folder) {
     VesicleParameters vesicle;
     const std::string& name = values.text(path + ".type");
@@ -130,11 +130,6 @@ VesicleParameters build_vesicle(CaseValues& values, const std::string& path,
                 vesicle.perturbations.push_back(read_perturbation(values, mode));
         }
     }
-    const bool perfect = std::holds_alternative<SphereShape>(vesicle.shape) && vesicle.perturbations.empty();
-    if (perfect && type->area.deflation && *type->area.deflation > 1.0)
-        values.warn(path + ".shape",
-                    "a perfect sphere has nothing to grow from when it is deflated; try adding a "
-                    "[[vesicle.perturbation]]");
     return vesicle;
 }
 

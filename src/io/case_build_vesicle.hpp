@@ -10,11 +10,11 @@
 namespace vesica {
 
 /// The vesicle type in the table at `path` ("vesicle_type.rbc"). Throws InputError.
-VesicleType build_vesicle_type(CaseValues& values, const std::string& path);
+VesicleType build_vesicle_type(const CaseValues& values, const std::string& path);
 
 /// The vesicle in the table at `path` ("vesicle[0]"), whose type is one of `types`. Mesh files are looked for
 /// in `folder`. Throws InputError.
-VesicleParameters build_vesicle(CaseValues& values, const std::string& path,
+VesicleParameters build_vesicle(const CaseValues& values, const std::string& path,
                                 const std::vector<VesicleType>& types, const std::filesystem::path& folder);
 
 } // namespace vesica

@@ -105,7 +105,7 @@ HarmonicSeries harmonic_series(std::span<const Perturbation> perturbations) {
     const double lowest = sampled_minimum(series);
     if (!(1.0 + lowest >= smallest_factor))
         throw InputError(
-            fmt::format("the perturbations change the radius by down to {:.3g} of itself; expected no less "
+            fmt::format("perturbation changes the radius by down to {:.3g} of itself; expected no less "
                         "than {:.3g}, so that the surface keeps clear of the vesicle's centre; try "
                         "smaller amplitudes",
                         lowest, smallest_factor - 1.0));

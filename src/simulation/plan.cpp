@@ -1,5 +1,6 @@
 #include "simulation/plan.hpp"
 
+#include "case/triangle_mesh.hpp"
 #include "core/input_error.hpp"
 #include "simulation/plan_cost.hpp"
 #include "simulation/plan_judgement.hpp"
@@ -28,6 +29,24 @@ void judge_memory(const Parameters& parameters, double cells, Remarks& remarks) 
                      size.x, size.y, size.z, 1e-9 * least, 1e-9 * available)});
 }
 
+/// The shape of a vesicle. What the reader could not know to be impossible is refused here, at its place.
+std::unique_ptr<const Shape> shape_of(const Case& what, std::size_t index) {
+    const VesicleParameters& vesicle = what.parameters.vesicles[index];
+    try {
+        return make_shape(vesicle);
+    } catch (const InputError& refusal) {
+        const std::string message = refusal.what();
+        const std::string name = fmt::format("vesicle[{}].", index);
+        const auto* mesh = std::get_if<MeshShape>(&vesicle.shape);
+        if (mesh != nullptr && mesh->mesh && message.starts_with(mesh->mesh->source))
+            throw InputError(
+                what.place(name + "file"),
+                fmt::format("{}file is \"{}\"; expected one closed surface; {}", name, mesh->file, message));
+        const std::string key = message.substr(0, message.find_first_of(" ."));
+        throw InputError(what.place(name + key), name + message);
+    }
+}
+
 } // namespace
 
 Plan make_plan(const Case& what, const PlanOptions& options) {
@@ -40,7 +59,7 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
 
     std::vector<std::unique_ptr<const Shape>> shapes;
     for (std::size_t vesicle = 0; vesicle < parameters.vesicles.size(); ++vesicle) {
-        shapes.push_back(make_shape(parameters.vesicles[vesicle]));
+        shapes.push_back(shape_of(what, vesicle));
         plan.vesicles.push_back(plan_vesicle(parameters, vesicle, *shapes.back()));
         plan.expected_speed = std::max(plan.expected_speed, plan.vesicles.back().bending_speed.value_or(0.0));
     }

@@ -46,15 +46,15 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
              fmt::format("vesicle has {} elements; expected one, as several vesicles in one box are not "
                          "available yet; try a run for each",
                          vesicles.size())});
-    // A box is the whole of space modulo its edges: every pair meets through 27 images, each vesicle its own
-    // too.
+    // A box is the whole of space modulo its edges: every pair meets through 27 images, and each vesicle its
+    // own, of which the opposite ones are as far.
     for (std::size_t a = 0; a < shapes.size(); ++a) {
         for (std::size_t b = a; b < shapes.size(); ++b) {
             double smallest = reach;
             for (int k = -1; k <= 1; ++k)
                 for (int j = -1; j <= 1; ++j)
                     for (int i = -1; i <= 1; ++i) {
-                        if (a == b && i == 0 && j == 0 && k == 0)
+                        if (a == b && (k * 3 + j) * 3 + i <= 0)
                             continue;
                         const Vec3<double> shift{1.0 * i * parameters.size.x, 1.0 * j * parameters.size.y,
                                                  1.0 * k * parameters.size.z};

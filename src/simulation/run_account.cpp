@@ -48,11 +48,18 @@ std::map<std::string, double> groups_of(const Plan& plan) {
     return groups;
 }
 
+/// Whether a run can break of what the plan says: of physics, not of schedules, outputs or a symmetric start.
+bool can_break(const Remark& remark) {
+    const std::string& key = remark.key;
+    return remark.severity == Remark::Severity::warning && !key.empty() && !key.starts_with("run.") &&
+           !key.starts_with("output.") && !key.ends_with(".perturbation");
+}
+
 /// The first reason that fits; the judgements of the plan come before guesses.
 std::string likely_cause(const Case& what, const Plan& plan, const Trouble& trouble) {
-    const auto warnings = texts_of(plan.remarks, Remark::Severity::warning);
-    if (!warnings.empty())
-        return fmt::format("the plan warned: {}", warnings.front());
+    const auto warning = std::find_if(plan.remarks.begin(), plan.remarks.end(), can_break);
+    if (warning != plan.remarks.end())
+        return fmt::format("the plan warned: {}", warning->text);
     if (plan.relaxation_time < 0.55)
         return fmt::format(
             "a relaxation time of {:.3f} is close to 1/2; try a larger fluid.kinematic_viscosity",

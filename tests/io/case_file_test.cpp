@@ -245,28 +245,25 @@ TEST_CASE("what has no effect is accepted with a warning") {
               "since fluid.collision.model is \"bgk\"; try removing it"});
 }
 
-TEST_CASE("what is likely to go wrong is accepted with a warning") {
-    const auto only = [](const std::string& from, const std::string& to) {
-        const auto warnings = reading(changed(from, to)).warnings;
-        return warnings.size() == 1 ? warnings[0] : "no single warning";
+TEST_CASE("a tree too deep for any stack is refused, however it is written") {
+    const std::string refusal = "the tables are nested deeper than 32; expected a case, whose deepest key is "
+                                "vesicle_type.NAME.bending.modulus; try shorter keys";
+    const auto repeated = [](const std::string& part, int times) {
+        std::string text;
+        for (int i = 0; i < times; ++i)
+            text += part;
+        return text;
     };
-    CHECK(only("= 0.1666667", "= 1.5") ==
-          "case.toml:7:23: fluid.kinematic_viscosity is 1.5; 1.5 cells^2/step makes the "
-          "lattice inaccurate; try at most 1");
-    CHECK(only("= 0.1666667", "= 0.001") ==
-          "case.toml:7:23: fluid.kinematic_viscosity is 0.001; 0.001 cells^2/step may "
-          "be unstable; try at least 0.005");
-    CHECK(only("size = [64, 64, 64]", "size = [64, 64, 34]") ==
-          "case.toml:32:10: vesicle[0].radius is 15; it is less than 4.99 cells away from its own periodic "
-          "image along "
-          "z, so that their interfaces overlap; try a larger lattice.size");
-    std::string text = discocyte_text();
-    const auto begin = text.find("[[vesicle.perturbation]]");
-    text.erase(begin, text.find("[numerics]") - begin);
-    CHECK(reading(text).warnings ==
-          std::vector<std::string>{
-              "case.toml:30:9: vesicle[0].shape is \"sphere\"; a perfect sphere has nothing to grow "
-              "from when it is deflated; try adding a [[vesicle.perturbation]]"});
+    const std::string dotted = repeated("a.", 100000) + "a";
+    CHECK(verdict(dotted + " = 1\n") == "case.toml:1:130: " + refusal);
+    CHECK(verdict("[" + dotted + "]\n") == "case.toml:1:131: " + refusal);
+    CHECK(verdict("\n\"#\" . " + dotted + " = 1\n") == "case.toml:2:133: " + refusal);
+    CHECK(verdict(repeated(repeated("a.", 60) + "a = {", 200))
+              .starts_with("case.toml:1:")); // as it does not end
+    CHECK(verdict(repeated(repeated("a.", 60) + "a = {", 200) + repeated("}", 200)).ends_with(refusal));
+    // Dots that are no key.
+    CHECK(verdict("# " + repeated("v1.", 300) + "\ntitle = \"" + repeated(".", 300) + "\"\n" +
+                  changed("title = \"A discocyte from a deflated sphere\"", "")) == "accepted");
 }
 
 TEST_CASE("a file that is no case is refused for what it is") {

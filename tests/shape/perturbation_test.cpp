@@ -54,6 +54,6 @@ TEST_CASE("Perturbations that make no sense are refused") {
                       "perturbation.amplitude is nan; expected a finite number; try 0.01");
     CHECK_THROWS_WITH(
         series_of({HarmonicPerturbation{2, 0, -1.1}}),
-        "the perturbations change the radius by down to -1.1 of itself; expected no less than -0.9, so "
+        "perturbation changes the radius by down to -1.1 of itself; expected no less than -0.9, so "
         "that the surface keeps clear of the vesicle's centre; try smaller amplitudes");
 }

@@ -1,3 +1,4 @@
+#include "case/triangle_mesh.hpp"
 #include "core/input_error.hpp"
 #include "io/case_file.hpp"
 #include "simulation/plan.hpp"
@@ -89,6 +90,54 @@ TEST_CASE("a membrane as soft as the recolouring is refused unless its user know
     const Plan accepted = make_plan(soft, PlanOptions{true});
     CHECK(all(accepted, Severity::error).empty());
     CHECK(says(all(accepted, Severity::warning), "vesicle_type.rbc.bending.modulus is 0.0025"));
+}
+
+TEST_CASE("what is likely to go wrong is accepted with one warning each") {
+    const auto only = [](const std::vector<std::string>& overrides) {
+        const auto warnings = texts_of(make_plan(discocyte(overrides)).remarks, Severity::warning);
+        CAPTURE(warnings);
+        REQUIRE(warnings.size() == 1);
+        return warnings.front();
+    };
+    CHECK(says(only({"fluid.kinematic_viscosity=1.1"}), "a relaxation time of 3.800; expected at most 3.5"));
+    CHECK(says(only({"lattice.size=[64,64,34]", "vesicle[0].centre=[32,32,17]",
+                     "vesicle_type.rbc.area.constraint=none"}),
+               "vesicle[0] and its own periodic image are"));
+    Case perfect = discocyte();
+    perfect.parameters.vesicles.front().perturbations.clear();
+    CHECK(says(all(make_plan(perfect), Severity::warning), "vesicle[0].perturbation is missing"));
+    CHECK(texts_of(make_plan(perfect).remarks, Severity::warning).size() == 1);
+}
+
+TEST_CASE("a shape that cannot be is refused at the key that asks for it") {
+    const auto refusal = [](const std::vector<std::string>& overrides) -> std::string {
+        try {
+            make_plan(discocyte(overrides));
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    CHECK(
+        says(refusal({"vesicle[0].shape=stomatocyte", "vesicle[0].reduced_volume=0.9"}),
+             "--set vesicle[0].reduced_volume=0.9: vesicle[0].reduced_volume is 0.9; expected 0.5 to 0.66"));
+    const std::string ripples = refusal({"vesicle[0].perturbation[0].amplitude=-0.9"});
+    CHECK(says(ripples, "cases/discocyte.toml:"));
+    CHECK(says(ripples, ": vesicle[0].perturbation changes the radius by down to -0.9 of itself"));
+
+    Case meshed = discocyte();
+    const auto mesh = std::make_shared<TriangleMesh>(); // one triangle of a closed surface is missing
+    mesh->source = "cell.stl";
+    mesh->vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh->triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}};
+    meshed.parameters.vesicles.front().shape = MeshShape{"cell.stl", mesh};
+    try {
+        make_plan(meshed);
+        FAIL("accepted");
+    } catch (const InputError& error) {
+        CHECK(says(error.what(),
+                   ": vesicle[0].file is \"cell.stl\"; expected one closed surface; cell.stl: the edge"));
+    }
 }
 
 TEST_CASE("a remark begins with its place in the case file") {
