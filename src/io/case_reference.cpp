@@ -135,8 +135,6 @@ This page is generated from the declarations that the reader itself uses.
             continue;
         page += fmt::format("\n## {}\n\n{}{}\n\n", table_title(table.path), table.meaning,
                             table.optional && !is_needed_once(table.path) ? " Optional." : "");
-        if (table.path.starts_with("vesicle_type.*") && table.optional)
-            page.replace(page.size() - 12, 10, " ");
         page += "| key | type | unit | default | required | range | meaning |\n"
                 "| --- | --- | --- | --- | --- | --- | --- |\n" +
                 rows;
