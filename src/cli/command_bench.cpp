@@ -25,7 +25,7 @@ void declare_bench(CLI::App& app, Action& action) {
         ->allow_extra_args(false);
     command->add_option("--seconds", arguments->options.seconds, "Time to spend on each number")
         ->type_name("S")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(CLI::Range(1e-3, 3600.0).description(""))
         ->capture_default_str();
     command->callback([&action, arguments] {
         action = [arguments] {

@@ -81,7 +81,10 @@ int command_line(int argument_count, const char* const* arguments) {
     declare_report(app, action);
 
     try {
-        return parse_and_act(app, action, argument_count, arguments);
+        const int status = parse_and_act(app, action, argument_count, arguments);
+        if (std::cout.flush().fail())
+            throw RunError("the standard output cannot be written: the answer is not complete");
+        return status;
     } catch (const InputError& error) {
         std::cerr << error.what() << '\n'; // begins with FILE:LINE:COLUMN, which editors understand
         return input_wrong;

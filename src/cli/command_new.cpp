@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace vesica {
 
@@ -18,7 +19,7 @@ namespace {
 
 struct NewArguments {
     std::string name;
-    std::string file;
+    std::optional<std::string> file;
     bool list = false;
 };
 
@@ -52,11 +53,13 @@ int write_template(const NewArguments& arguments) {
         return 0;
     }
     const CaseTemplate& chosen = template_named(arguments.name);
+    if (arguments.file && arguments.file->empty())
+        throw InputError("-o is empty; expected a new file; try -o case.toml");
     if (arguments.file == "-") {
         std::cout << chosen.text << std::flush;
         return 0;
     }
-    const std::string file = arguments.file.empty() ? std::string(chosen.name) + ".toml" : arguments.file;
+    const std::string file = arguments.file.value_or(std::string(chosen.name) + ".toml");
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown))
         throw InputError(file + " exists already; expected a new file; try another with -o FILE");

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace vesica {
 
@@ -17,7 +18,7 @@ namespace {
 
 struct RunArguments {
     std::string case_file;
-    std::string directory;
+    std::optional<std::string> directory;
     std::vector<std::string> overrides;
     int threads = 0;
     std::int64_t steps = 0;
@@ -37,17 +38,17 @@ RunOptions options_of(const std::filesystem::path& directory, int threads) {
 int tell(const RunOutcome& outcome) {
     if (!outcome.message.empty())
         std::cerr << "vesica: " << outcome.message << '\n';
+    std::cout.clear(); // the results are in their files, whoever listened
     return static_cast<int>(outcome.status);
 }
 
-/// out/<case file's stem>; `out` is made, being nobody's choice.
-std::filesystem::path default_directory(const std::string& case_file) {
-    const std::filesystem::path parent = "out";
-    std::error_code failure;
-    std::filesystem::create_directory(parent, failure);
-    if (failure)
-        throw InputError("out: cannot be created: " + failure.message() + "; choose a directory with -o DIR");
-    return parent / std::filesystem::path(case_file).stem();
+/// DIR, or out/<case file's stem>. An empty DIR is a shell's variable that was never set.
+std::filesystem::path directory_of(const RunArguments& arguments) {
+    if (!arguments.directory)
+        return std::filesystem::path("out") / std::filesystem::path(arguments.case_file).stem();
+    if (arguments.directory->empty())
+        throw InputError("-o is empty; expected a directory; try -o out/NAME");
+    return *arguments.directory;
 }
 
 int run(const RunArguments& arguments) {
@@ -55,10 +56,7 @@ int run(const RunArguments& arguments) {
     Case what = read_case(arguments.case_file, arguments.overrides);
     if (arguments.steps > 0)
         what.run.steps = arguments.steps;
-    const std::filesystem::path directory = arguments.directory.empty()
-                                                ? default_directory(arguments.case_file)
-                                                : std::filesystem::path(arguments.directory);
-    RunOptions options = options_of(directory, arguments.threads);
+    RunOptions options = options_of(directory_of(arguments), arguments.threads);
     options.overwrite = arguments.overwrite;
     options.plan.accept_soft_membranes = arguments.accept_soft_membranes;
     return tell(run_case(what, options));
@@ -74,9 +72,7 @@ void declare_run(CLI::App& app, Action& action) {
         ->type_name("DIR");
     declare_overrides(*command, arguments->overrides);
     declare_threads(*command, arguments->threads);
-    command->add_option("--steps", arguments->steps, "Steps to do instead of those of the case")
-        ->type_name("N")
-        ->check(CLI::PositiveNumber.description(""));
+    declare_steps(*command, arguments->steps, "Steps to do instead of those of the case");
     command->add_flag("--overwrite", arguments->overwrite, "Replace what an earlier run left in DIR");
     declare_soft_membranes(*command, arguments->accept_soft_membranes);
     command->footer(
@@ -101,9 +97,7 @@ void declare_resume(CLI::App& app, Action& action) {
         ->type_name("DIR")
         ->required();
     declare_threads(*command, arguments->threads);
-    command->add_option("--steps", arguments->steps, "Steps in total, instead of those planned")
-        ->type_name("N")
-        ->check(CLI::PositiveNumber.description(""));
+    declare_steps(*command, arguments->steps, "Steps in total, instead of those planned");
     command->callback([&action, arguments] {
         action = [arguments] {
             refuse_ranks();

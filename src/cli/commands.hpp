@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ void declare_report(CLI::App& app, Action& action);
 
 /// Repeatable `--set path.key=value`.
 void declare_overrides(CLI::App& command, std::vector<std::string>& overrides);
+/// A whole number of at least 1; `value` is left alone where the option is not given.
+void declare_steps(CLI::App& command, std::int64_t& steps, const std::string& description);
 void declare_threads(CLI::App& command, int& threads);
 void declare_soft_membranes(CLI::App& command, bool& accepted);
 

@@ -45,7 +45,7 @@ IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory
         }
     }
     if (refused.empty())
-        throw RunError(fmt::format("{}: holds no checkpoint", directory.string()));
+        throw InputError(fmt::format("{}: holds no checkpoint", directory.string()));
     throw RunError(
         fmt::format("{}: holds no intact checkpoint:\n  {}", directory.string(), fmt::join(refused, "\n  ")));
 }

@@ -30,7 +30,8 @@ struct IntactCheckpoint {
     std::vector<std::string> refused; ///< newer ones that could not serve: file and reason each
 };
 
-/// The newest checkpoint whose digest is right. Throws RunError with every reason when there is none.
+/// The newest checkpoint whose digest is right. Throws InputError when there is no
+/// checkpoint, RunError with every reason when none is intact.
 IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory);
 
 std::filesystem::path checkpoint_path(const std::filesystem::path& directory, std::int64_t step);

@@ -138,7 +138,7 @@ OutputDirectory OutputDirectory::create(const Path& path, bool overwrite) {
 OutputDirectory OutputDirectory::open(const Path& path) {
     std::error_code none;
     if (!std::filesystem::is_directory(path, none))
-        throw RunError(
+        throw InputError(
             fmt::format("{}: is not a directory; expected the directory of an earlier run", path.string()));
     return OutputDirectory(path);
 }

@@ -11,12 +11,12 @@ namespace vesica {
 /// The directory of one run, held by a lock for as long as this lives: no second run can write into it.
 class OutputDirectory {
 public:
-    /// For a new run: creates `path` and what is missing above it. A directory that holds anything is refused unless
-    /// `overwrite`; then what an earlier run left is removed, and files of others stay. Throws RunError,
-    /// whose text says what to do.
+    /// For a new run: creates `path` and what is missing above it. A directory that holds anything is refused
+    /// unless `overwrite`; then what an earlier run left is removed, and files of others stay. Throws
+    /// RunError, whose text says what to do.
     static OutputDirectory create(const std::filesystem::path& path, bool overwrite);
 
-    /// For a run to be resumed: what is there stays. Throws RunError when there is no such directory.
+    /// For a run to be resumed: what is there stays. Throws InputError when there is no such directory.
     static OutputDirectory open(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return path_; }

@@ -33,16 +33,6 @@ std::unique_ptr<Engine> build_engine(const Case& what, const RunOptions& options
     }
 }
 
-/// A directory that cannot serve is the user's choice, whatever made it unfit.
-template <class Make>
-auto directory_of_user(const Make& make) {
-    try {
-        return make();
-    } catch (const RunError& failure) {
-        throw InputError(failure.what());
-    }
-}
-
 /// What a run and its resumption have in common: from a built engine to the summary.
 class Session {
 public:
@@ -93,7 +83,6 @@ private:
     std::string title() const { return case_.title.empty() ? case_.source_file : case_.title; }
 
     LoopResult loop(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed) {
-        const StopSignals signals;
         const StopRequest stop(case_.run.wall_time, begin_);
         Progress progress(progress_settings(engine), options_.out, Clock::now());
         const auto loop_begin = Clock::now();
@@ -180,6 +169,9 @@ private:
     const Plan& plan_;
     const RunOptions& options_;
     OutputDirectory directory_;
+    // From the first file on a run ends with a checkpoint, though that waits for the initial state to be
+    // built.
+    StopSignals signals_;
     RunLog log_;
     int threads_;
     Clock::time_point begin_;
@@ -207,8 +199,7 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
     // The directory first: a refusal should not take as long as building the initial state does.
-    OutputDirectory directory =
-        directory_of_user([&] { return OutputDirectory::create(options.directory, options.overwrite); });
+    OutputDirectory directory = OutputDirectory::create(options.directory, options.overwrite);
     const int threads = threads_for(options);
     Session session(what, plan, options, std::move(directory), threads, begin);
     write_atomically(session.directory() / "case.toml", what.source_text);
@@ -223,9 +214,8 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
 
 RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options) {
     const auto begin = Clock::now();
-    OutputDirectory directory = directory_of_user([&] { return OutputDirectory::open(options.directory); });
-    const IntactCheckpoint found =
-        directory_of_user([&] { return newest_intact_checkpoint(options.directory / "checkpoints"); });
+    OutputDirectory directory = OutputDirectory::open(options.directory);
+    const IntactCheckpoint found = newest_intact_checkpoint(options.directory / "checkpoints");
     Case what = read_case_text(found.checkpoint.case_text, found.path.string());
     const std::int64_t done = found.checkpoint.engine.step;
     if (steps && *steps < done)

@@ -34,12 +34,14 @@ struct RunOutcome {
 };
 
 /// Runs a case into DIR: case.toml, resolved.toml, log.txt, metrics.csv, fields, surfaces, checkpoints and at
-/// last summary.json. Throws InputError if the case or the directory cannot serve; nothing is written then.
+/// last summary.json. Throws InputError if the case cannot serve and RunError if the
+/// directory cannot; nothing is written then.
 /// What goes wrong later is in the outcome, and everything written before it stays.
 RunOutcome run_case(const Case& what, const RunOptions& options);
 
 /// Continues the run in DIR from its newest intact checkpoint, bit for bit as if it had never stopped, up to
-/// `steps` in total if given. Throws InputError if there is nothing to continue.
+/// `steps` in total if given. Throws InputError if there is nothing to continue, RunError if
+/// no checkpoint is intact.
 RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options);
 
 } // namespace vesica

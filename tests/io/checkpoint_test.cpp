@@ -268,7 +268,7 @@ TEST_CASE("the store keeps the newest checkpoints and falls back behind damaged 
         REQUIRE_THAT(text, Catch::Contains("step_000000200.h5: is empty"));
     }
     SECTION("an empty or missing directory holds no checkpoint") {
-        REQUIRE_THAT(complaint_of<RunError>([&] { newest_intact_checkpoint(scratch / "none"); }),
+        REQUIRE_THAT(complaint_of<InputError>([&] { newest_intact_checkpoint(scratch / "none"); }),
                      Catch::EndsWith("none: holds no checkpoint"));
     }
 }

@@ -43,7 +43,7 @@ TEST_CASE("a directory that cannot serve is refused in words that say what to do
         refusal(scratch.path()),
         Catch::EndsWith(": is not empty; choose another directory with -o DIR, or replace the earlier run "
                         "with --overwrite"));
-    REQUIRE_THAT(complaint_of<RunError>([&] { OutputDirectory::open(scratch / "no"); }),
+    REQUIRE_THAT(complaint_of<InputError>([&] { OutputDirectory::open(scratch / "no"); }),
                  Catch::EndsWith("no: is not a directory; expected the directory of an earlier run"));
 }
 

@@ -118,7 +118,7 @@ TEST_CASE("a directory that holds something is refused and left alone, unless it
     const fs::path directory = scratch / "out";
     fs::create_directory(directory);
     std::ofstream(directory / "notes.txt") << "mine";
-    CHECK_THROWS_AS(run_case(a_case(), into(directory)), InputError);
+    CHECK_THROWS_AS(run_case(a_case(), into(directory)), RunError);
     CHECK_FALSE(fs::exists(directory / "case.toml"));
     RunOptions overwrite = into(directory);
     overwrite.overwrite = true;
