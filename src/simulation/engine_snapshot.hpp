@@ -61,7 +61,8 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
         const auto s = lanes(fields.s);
         const detail::LaneVectors<Real> n(Layer<Real>::load(fields.n, t));
         const bool curved = t.bits[reach::curvature] != 0;
-        const auto H0 = lanes(fields.H0);
+        const auto H0 = lanes(fields.raw_H0); // sharpening, which Lap_s H needs, adds noise to H itself
+        const auto force_H0 = lanes(fields.H0);
         const auto K0 = lanes(fields.K0);
         const auto J = lanes(fields.J);
         const detail::LaneValues<Real> laplacian(t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(t)
@@ -92,9 +93,9 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
                                                                        : cell.H0;
                 if ((t.bits[reach::force] >> k & 1) != 0) {
                     cell.bending_force =
-                        std::visit([&](const auto& law) { return law.force(cell.H0, cell.K0, laplacian[k]); },
+                        std::visit([&](const auto& law) { return law.force(force_H0[k], cell.K0, laplacian[k]); },
                                    membrane_.bending);
-                    cell.tension_force = TensionLaw{membrane_.tension()}.force(cell.H0);
+                    cell.tension_force = TensionLaw{membrane_.tension()}.force(force_H0[k]);
                 }
             }
             vesicle.cells.push_back(cell);

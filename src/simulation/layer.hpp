@@ -283,7 +283,7 @@ private:
 
     template <Streaming streaming>
     void transport_from(const PopulationView<Real>& f, int threads) {
-        std::vector<LaneSum<58>> leaked(static_cast<std::size_t>(threads));
+        std::vector<LaneSum<50>> leaked(static_cast<std::size_t>(threads));
         std::vector<LaneSum<38>> layer(static_cast<std::size_t>(threads));
         // Exact sums have a range: amounts are counted in cells' worth of fluid, whatever its density.
         const V per_reference = V(1.0 / settings_.reference_density);
