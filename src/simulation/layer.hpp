@@ -14,23 +14,12 @@
 #include "parallel/lane_sum.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/layer_fields.hpp"
+#include "simulation/layer_reach.hpp"
 #include "simulation/membrane_model.hpp"
 
 #include <algorithm>
 
 namespace vesica {
-
-/// How far each quantity reaches beyond the cells that had a force when the band was last laid out (level 0).
-/// Level 1 is room to move: the band is laid out anew when the core leaves it. Each derivative asks for one
-/// level more of what it differentiates.
-namespace reach {
-inline constexpr int force = 1;
-inline constexpr int slope = 2;
-inline constexpr int curvature = 3;
-inline constexpr int raw_curvature = 4; ///< sharpening asks for one level more as well
-inline constexpr int colour = 7;        ///< cells that may hold both colours, with the normals that part them
-inline constexpr int receiving = 8;     ///< cells that colour may leak into within a step; sharpened s
-} // namespace reach
 
 /// Sums over a layer, independent of the order they are made in.
 struct LayerSums {

@@ -121,8 +121,8 @@ def orders(results, found):
 
     wave = "viscosity from a decaying shear wave, relative error"
     for name in sorted({c.rpartition(", ")[0] for law, c in found if law == wave}):
-        results.absolute("order of the viscosity", f"{name}, 8 to 64 cells",
-                         order(wave, f"{name}, 8 cells", f"{name}, 64 cells", 8), 2.0, 0.1)  # fmt: skip
+        results.absolute("order of the viscosity", f"{name}, 16 to 64 cells",
+                         order(wave, f"{name}, 16 cells", f"{name}, 64 cells", 4), 2.0, 0.1)  # fmt: skip
     torus = "bending force on the torus a = R/2, relative rms error"
     value = order(torus, "mapped, R = 15.0", "mapped, R = 45.0", 3)
     if value is not None:
