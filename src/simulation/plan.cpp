@@ -39,9 +39,8 @@ std::unique_ptr<const Shape> shape_of(const Case& what, std::size_t index) {
         const std::string name = fmt::format("vesicle[{}].", index);
         const auto* mesh = std::get_if<MeshShape>(&vesicle.shape);
         if (mesh != nullptr && mesh->mesh && message.starts_with(mesh->mesh->source))
-            throw InputError(
-                what.place(name + "file"),
-                fmt::format("{}file is \"{}\"; expected one closed surface; {}", name, mesh->file, message));
+            throw InputError(what.place(name + "file"),
+                             fmt::format("{}file is \"{}\"; {}", name, mesh->file, message));
         const std::string key = message.substr(0, message.find_first_of(" ."));
         throw InputError(what.place(name + key), name + message);
     }

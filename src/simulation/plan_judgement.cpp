@@ -191,7 +191,8 @@ void judge_vesicle(const Parameters& parameters, std::size_t vesicle, const Vesi
             "try a "
             "smaller bending.modulus or a larger kinematic_viscosity",
             *plan.reynolds);
-    if (plan.inner_relaxation_time > 3.5 || plan.inner_relaxation_time < 0.52)
+    const bool differs = type.viscosity_ratio != 1.0; // or the fluid's own viscosity has been judged
+    if (differs && (plan.inner_relaxation_time > 3.5 || plan.inner_relaxation_time < 0.52))
         add(remarks, Severity::warning, "vesicle_type." + type.name + ".viscosity_ratio",
             " is {:g}: the relaxation time inside is {:.3f}; expected between 0.52 and "
             "3.5; try a kinematic_viscosity of {:.3g}",

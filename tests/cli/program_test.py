@@ -211,7 +211,7 @@ class Run(Program):
     def test_the_default_directory_is_named_after_the_case(self):
         self.assertEqual(self.vesica("run", self.case, "--steps", 5, "--threads", 1)[0], 0)
         self.assertTrue((self.directory / "out/small/summary.json").is_file())
-        self.refused("run", self.case, "--steps", 5, saying="--overwrite")
+        self.refused("run", self.case, "--steps", 5, status=1, saying="--overwrite")
         self.assertEqual(self.vesica("run", self.case, "--steps", 5, "--overwrite")[0], 0)
 
     def test_info_tells_of_a_checkpoint(self):

@@ -257,7 +257,7 @@ TEST_CASE("a tree too deep for any stack is refused, however it is written") {
     const std::string dotted = repeated("a.", 100000) + "a";
     CHECK(verdict(dotted + " = 1\n") == "case.toml:1:130: " + refusal);
     CHECK(verdict("[" + dotted + "]\n") == "case.toml:1:131: " + refusal);
-    CHECK(verdict("\n\"#\" . " + dotted + " = 1\n") == "case.toml:2:133: " + refusal);
+    CHECK(verdict("\n\"#\" . " + dotted + " = 1\n") == "case.toml:2:134: " + refusal);
     CHECK(verdict(repeated(repeated("a.", 60) + "a = {", 200))
               .starts_with("case.toml:1:")); // as it does not end
     CHECK(verdict(repeated(repeated("a.", 60) + "a = {", 200) + repeated("}", 200)).ends_with(refusal));
