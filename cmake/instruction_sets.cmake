@@ -52,7 +52,8 @@ function(vesica_instruction_sets target)
         target_link_libraries(${objects} PRIVATE ${arg_LINK})
         target_compile_definitions(${objects} PRIVATE VESICA_ISA=${isa})
         target_compile_options(${objects} PRIVATE
-            -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi ${VESICA_ISA_FLAGS_${isa}}
+            $<IF:$<BOOL:${VESICA_SANITIZE}>,-O1,-O3> # an instrumented kernel takes ten minutes to optimise
+            -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi ${VESICA_ISA_FLAGS_${isa}}
             # Unique symbols of GCC cannot be made local. GCC 12's own AVX-512 intrinsics start from undefined
             # registers, which it then warns of.
             $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique -Wno-maybe-uninitialized -Wno-uninitialized>)
