@@ -31,7 +31,10 @@ if(VESICA_SANITIZE AND NOT VESICA_ISAS STREQUAL "baseline")
     set(VESICA_ISAS baseline)
 endif()
 
-if(NOT VESICA_SANITIZE)
+set(vesica_kernel_optimisation -O3)
+if(VESICA_SANITIZE)
+    set(vesica_kernel_optimisation -O1) # an instrumented kernel takes ten minutes to optimise fully
+else()
     # GNU's ld and objcopy, whatever the compiler links with.
     find_program(VESICA_RELOCATABLE_LINKER NAMES ld.bfd ld REQUIRED)
     find_program(VESICA_OBJCOPY NAMES objcopy REQUIRED)
@@ -52,8 +55,7 @@ function(vesica_instruction_sets target)
         target_link_libraries(${objects} PRIVATE ${arg_LINK})
         target_compile_definitions(${objects} PRIVATE VESICA_ISA=${isa})
         target_compile_options(${objects} PRIVATE
-            $<IF:$<BOOL:${VESICA_SANITIZE}>,-O1,-O3> # an instrumented kernel takes ten minutes to optimise
-            -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi ${VESICA_ISA_FLAGS_${isa}}
+            ${vesica_kernel_optimisation} -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi ${VESICA_ISA_FLAGS_${isa}}
             # Unique symbols of GCC cannot be made local. GCC 12's own AVX-512 intrinsics start from undefined
             # registers, which it then warns of.
             $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique -Wno-maybe-uninitialized -Wno-uninitialized>)
