@@ -33,9 +33,7 @@ endif()
 
 set(vesica_kernel_optimisation -O3)
 if(VESICA_SANITIZE)
-    # Fully optimised and with a check at every reference to a pack, a kernel takes ten minutes to compile. The address
-    # sanitizer sees what a bad pointer does.
-    set(vesica_kernel_optimisation -O1 -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
+    set(vesica_kernel_optimisation -O1) # an instrumented kernel takes ten minutes to optimise fully
 else()
     # GNU's ld and objcopy, whatever the compiler links with.
     find_program(VESICA_RELOCATABLE_LINKER NAMES ld.bfd ld REQUIRED)
@@ -63,6 +61,10 @@ function(vesica_instruction_sets target)
             $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique -Wno-maybe-uninitialized -Wno-uninitialized>)
         set_target_properties(${objects} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF)
         if(VESICA_SANITIZE)
+            # So does a check at every reference to a pack; the address sanitizer sees what a bad pointer does. Options
+            # of a file come last, after those that ask for all checks.
+            set_source_files_properties(${arg_SOURCES} PROPERTIES
+                COMPILE_OPTIONS "-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr")
             target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
             continue()
         endif()
