@@ -20,7 +20,12 @@ class Comparison:
     signed: numpy.ndarray
     rms: float  # over the surface, weighted by area
     largest: float  # of |signed|
-    farthest_missed: float  # largest distance of a point of the exact meridian from the surface
+    farthest_missed: float  # largest distance of a point of the exact meridian from the nearest of the surface's points
+
+    def farthest(self):
+        """The largest distance between the two, either way. The surface's points lie a cell apart: less than that is
+        no sign of a part that the surface lacks."""
+        return self.largest if self.farthest_missed < 1.0 else max(self.largest, self.farthest_missed)
 
 
 def nearest_branch(folded, shapes, reduced_volume, volume):

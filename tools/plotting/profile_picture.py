@@ -40,7 +40,7 @@ def _numbers(comparison, radius):
 
     return (
         f"{comparison.branch}: rms nearest-point distance {both(comparison.rms)}, "
-        f"largest {both(max(comparison.largest, comparison.farthest_missed))}"
+        f"largest {both(comparison.farthest())}"
     )
 
 
@@ -86,7 +86,7 @@ def _draw_distance(axes, comparison, radius):
 
 def _grow_for_notes(figure, lines):
     """Turns the layout off and makes room at the foot for the notes, which stand outside the axes."""
-    figure.set_constrained_layout(False)
+    figure.set_layout_engine("none")
     width, height = figure.get_size_inches()
     extra = 0.2 * lines + 0.15
     scale = height / (height + extra)

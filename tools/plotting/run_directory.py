@@ -64,15 +64,19 @@ class RunDirectory:
         """C0 of the vesicle's type in 1/cells; 0 when nothing is said."""
         return _lattice_value(self._vesicle_type(vesicle), "bending", "spontaneous_curvature") or 0.0
 
+    def cell_length(self):
+        """Of a cell in the unit that surfaces and fields are written in: metres when the case has units, else 1."""
+        scales = self.summary.get("scales")
+        return float(scales["cell_m"]) if isinstance(scales, dict) else 1.0
+
     def last_surface(self):
-        """(path, step or None) of the newest surface; Unavailable without one."""
+        """(path, step or None) of the newest surface; Unavailable without one. The step stands in the file's name:
+        times in the series are in seconds when the case has units."""
         folder = self.path / "surfaces"
-        listed = _series(folder / "surfaces.pvd")
-        if not listed:
-            listed = [(_number_in(p), p) for p in sorted(folder.glob("*.vtp"))]
+        listed = _series(folder / "surfaces.pvd") or sorted(folder.glob("*.vtp"))
         if not listed:
             raise Unavailable(f"{folder}: holds no surface; ask for some with [output] surfaces = {{ every = N }}")
-        step, path = max(listed, key=lambda entry: -1.0 if entry[0] is None else entry[0])
+        step, path = max(((_number_in(p), p) for p in listed), key=lambda entry: -1.0 if entry[0] is None else entry[0])
         if not path.is_file():
             raise OSError(f"{path}: is listed in the series of surfaces but is not there")
         return path, step
@@ -132,9 +136,8 @@ def _series(pvd):
     if not pvd.is_file():
         return []
     try:
-        entries = xml.parse(pvd).getroot().iter("DataSet")
-        return [(float(entry.get("timestep", "nan")), pvd.parent / entry.get("file", "")) for entry in entries]
-    except (xml.ParseError, ValueError) as error:
+        return [pvd.parent / entry.get("file", "") for entry in xml.parse(pvd).getroot().iter("DataSet")]
+    except xml.ParseError as error:
         raise OSError(f"{pvd}: {error}") from None
 
 

@@ -16,6 +16,15 @@ class Surface:
     triangles: numpy.ndarray  # (m, 3)
     fields: dict  # name -> (n,) or (n, k), values on the points
 
+    def in_cells(self, cell):
+        """The same surface when a cell is `cell` long in the units it was written in."""
+        fields = dict(self.fields)
+        if "mean_curvature" in fields:
+            fields["mean_curvature"] = fields["mean_curvature"] * cell
+        if "gaussian_curvature" in fields:
+            fields["gaussian_curvature"] = fields["gaussian_curvature"] * cell**2
+        return Surface(self.points / cell, self.triangles, fields)
+
     def face_areas(self):
         """(m, 3): the triangles' outward normals times their areas."""
         a, b, c = (self.points[self.triangles[:, k]] for k in range(3))

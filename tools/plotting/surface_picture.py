@@ -5,7 +5,7 @@ import tempfile
 from pathlib import Path
 
 import numpy
-from matplotlib import cm, colors, image, pyplot, tri
+from matplotlib import cm, colormaps, colors, image, pyplot, tri
 from matplotlib.collections import TriMesh
 
 from plotting import style, view, vtk_rendering
@@ -21,7 +21,7 @@ def draw(surface, title, with_vtk=True):
     if curvature is None or not numpy.isfinite(curvature).any():
         raise Unavailable("the surface carries no mean_curvature")
     norm = _range(curvature, surface.point_areas())
-    colours = cm.get_cmap("viridis")(norm(numpy.nan_to_num(curvature, nan=norm.vmin)))
+    colours = colormaps["viridis"](norm(numpy.nan_to_num(curvature, nan=norm.vmin)))
     camera = view.choose(surface)
 
     shape_ratio = camera.half_height / camera.half_width
@@ -37,7 +37,9 @@ def draw(surface, title, with_vtk=True):
     radius = (3.0 * abs(surface.volume()) / (4.0 * math.pi)) ** (1.0 / 3.0)
     _draw_scale(axes, camera, radius)
 
-    bar = figure.colorbar(cm.ScalarMappable(norm, "viridis"), cax=figure.add_axes([0.86, 0.14, 0.022, 0.66]), extend="both")
+    beside = figure.add_axes([0.86, 0.14, 0.022, 0.66])
+    beside.grid(False)
+    bar = figure.colorbar(cm.ScalarMappable(norm, "viridis"), cax=beside, extend="both")
     bar.outline.set_visible(False)
     bar.set_label("mean curvature H (1/cells), sphere +")
     figure.text(0.02, 0.97, f"{title}: the surface", fontweight="bold", fontsize=11, va="top")

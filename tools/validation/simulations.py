@@ -65,7 +65,7 @@ class Finished:
 
     def surface(self):
         path, _ = self.run.last_surface()
-        return read_surface(path, 0)
+        return read_surface(path, 0).in_cells(self.run.cell_length())
 
     def steps(self):
         return int(self.metrics["step"][-1])
