@@ -6,7 +6,8 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402  (the backend must be chosen first)
+from matplotlib import pyplot
+from PIL import Image  # noqa: E402  (the backend must be chosen first)
 
 INK = "#222222"
 RUN = "#0072B2"
@@ -41,12 +42,14 @@ matplotlib.rcParams.update(
 )
 
 
-def save(figure, path):
-    """Writes the picture whole or not at all, and forgets the figure."""
+def save(figure, path, small=False):
+    """Writes the picture whole or not at all, and forgets the figure. `small`: in 128 colours."""
     path = Path(path)
     temporary = path.with_name(f".{path.name}.part")
     try:
         figure.savefig(temporary, format="png")
+        if small:
+            Image.open(temporary).convert("RGB").quantize(128).save(temporary, format="png", optimize=True)
         os.replace(temporary, path)
     finally:
         pyplot.close(figure)
