@@ -43,7 +43,8 @@ Checkpoint awkward_checkpoint(Precision precision, Vec3<int> size = {7, 5, 3}) {
         state.band.push_back(static_cast<std::uint8_t>(random()));
     }
     state.controllers = {1.0 / 3.0, -2e-300, 0.1};
-    checkpoint.case_text = std::string("title = \"caf\xc3\xa9\"\n\0with a zero byte", 35);
+    using namespace std::string_literals;
+    checkpoint.case_text = "title = \"caf\xc3\xa9\"\n\0with a zero byte"s;
     checkpoint.notes = {
         {"initial_mass", {1.0 / 7.0}}, {"nothing", {}}, {"unwrapped centre", {1.5, -2.5, 1e-9}}};
     checkpoint.program_version = "0.1.0";
@@ -196,7 +197,9 @@ TEST_CASE("the refusal of a checkpoint says what is wrong with it") {
 TEST_CASE("a sealed file with foreign content is refused, not believed") {
     const ScratchDirectory scratch;
     AtomicFile file(scratch / "a.h5");
-    file.write(std::string(seal_bytes, '\0') + "not HDF5 at all");
+    std::string foreign(seal_bytes, '\0');
+    foreign += "not HDF5 at all";
+    file.write(foreign);
     seal(file, "foreign");
     file.commit();
     REQUIRE_THAT(refusal(scratch / "a.h5"),
