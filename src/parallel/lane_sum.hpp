@@ -19,8 +19,8 @@ public:
         constexpr double shifter = 6755399441055744.0;
         constexpr double scale = static_cast<double>(std::int64_t{1} << fraction_bits);
         for (int k = 0; k < tile_width; ++k)
-            lanes_[k] += std::bit_cast<std::int64_t>(static_cast<double>(term[k]) * scale + shifter) -
-                         std::bit_cast<std::int64_t>(shifter);
+            lanes_[k] += std::bit_cast<std::uint64_t>(static_cast<double>(term[k]) * scale + shifter) -
+                         std::bit_cast<std::uint64_t>(shifter);
     }
 
     void merge(const LaneSum& other) {
@@ -29,14 +29,14 @@ public:
     }
 
     double value() const {
-        std::int64_t total = 0;
-        for (const std::int64_t lane : lanes_)
+        std::uint64_t total = 0;
+        for (const std::uint64_t lane : lanes_)
             total += lane;
-        return static_cast<double>(total) / static_cast<double>(std::int64_t{1} << fraction_bits);
+        return static_cast<double>(static_cast<std::int64_t>(total)) / static_cast<double>(std::int64_t{1} << fraction_bits);
     }
 
 private:
-    std::int64_t lanes_[tile_width] = {};
+    std::uint64_t lanes_[tile_width] = {}; ///< two's complement: out of range it wraps, and is defined
 };
 
 } // namespace vesica

@@ -264,17 +264,19 @@ template <class T>
 VESICA_INLINE Pack<T> logarithm(const Pack<T>& x) {
     using P = Pack<T>;
     using Lanes = typename P::Lanes;
-    using Bits = typename P::Bits;
+    using Word = std::make_unsigned_t<typename P::Bits>;
+    typedef Word Words __attribute__((vector_size(sizeof(Lanes))));
     constexpr bool wide = sizeof(T) == 8;
     constexpr int mantissa = wide ? 52 : 23;
     // Bits of 1/sqrt 2, so that the mantissa lands in [1/sqrt 2, sqrt 2).
-    constexpr Bits pivot = wide ? static_cast<Bits>(0x3fe6a09e667f3bcdLL) : static_cast<Bits>(0x3f3504f3);
+    constexpr Word pivot = wide ? static_cast<Word>(0x3fe6a09e667f3bcdULL) : static_cast<Word>(0x3f3504f3u);
     P e, m;
     for (int r = 0; r < P::registers; ++r) {
-        const Lanes bits = (Lanes)x.v[r];
-        const Lanes exponent = (bits - pivot) >> mantissa;
+        // Without a sign, so that the logarithm of a negative number, in a run that breaks, is garbage but defined.
+        const Words bits = (Words)x.v[r];
+        const Lanes exponent = (Lanes)(bits - pivot) >> mantissa;
         e.v[r] = __builtin_convertvector(exponent, typename P::Native);
-        m.v[r] = (typename P::Native)(bits - (exponent << mantissa));
+        m.v[r] = (typename P::Native)(bits - ((Words)exponent << mantissa));
     }
     const P z = (m - P(1)) / (m + P(1));
     const P z2 = z * z;
