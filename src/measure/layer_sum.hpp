@@ -43,10 +43,10 @@ LayerMoments layer_moments(const VesicleSnapshot& vesicle);
 double geometry_coverage(const VesicleSnapshot& vesicle);
 
 /// int q dA over phi = 0 of a quantity already mapped to it (H0, K0, foot_point, ...), cells^2 times q's
-/// unit: the vesicle's area times the mean of q. Cells count with (1 - phi^2)^2 J: J carries their area to the
-/// mid-surface, and the square keeps to the middle of the layer, where the map is short and the other face of
-/// a thin disc is far. With the layer's own weight, 1 - phi^2, the energy of an exact discocyte is three times
-/// as far off at R0 = 10. NaN when no cell has geometry.
+/// unit: the vesicle's area times the mean of q. Cells count with (1 - phi^2)^2 J: J carries their area to
+/// the mid-surface, and the square keeps to the middle of the layer, where the map is short and the other
+/// face of a thin disc is far. With the layer's own weight, 1 - phi^2, the energy of an exact discocyte is
+/// three times as far off at R0 = 10. NaN when no cell has geometry.
 template <class Quantity>
 double mid_surface_integral(const VesicleSnapshot& vesicle, Quantity quantity) {
     ExactSum sum;

@@ -32,7 +32,8 @@ public:
         std::uint64_t total = 0;
         for (const std::uint64_t lane : lanes_)
             total += lane;
-        return static_cast<double>(static_cast<std::int64_t>(total)) / static_cast<double>(std::int64_t{1} << fraction_bits);
+        return static_cast<double>(static_cast<std::int64_t>(total)) /
+               static_cast<double>(std::int64_t{1} << fraction_bits);
     }
 
 private:

@@ -272,7 +272,8 @@ VESICA_INLINE Pack<T> logarithm(const Pack<T>& x) {
     constexpr Word pivot = wide ? static_cast<Word>(0x3fe6a09e667f3bcdULL) : static_cast<Word>(0x3f3504f3u);
     P e, m;
     for (int r = 0; r < P::registers; ++r) {
-        // Without a sign, so that the logarithm of a negative number, in a run that breaks, is garbage but defined.
+        // Without a sign, so that the logarithm of a negative number, in a run that breaks, is garbage but
+        // defined.
         const Words bits = (Words)x.v[r];
         const Lanes exponent = (Lanes)(bits - pivot) >> mantissa;
         e.v[r] = __builtin_convertvector(exponent, typename P::Native);

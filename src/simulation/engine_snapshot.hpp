@@ -92,9 +92,9 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
                 cell.H = setup_.layer.recipe == GeometryRecipe::mapped ? cell.H0 * cell.J + cell.s * cell.K
                                                                        : cell.H0;
                 if ((t.bits[reach::force] >> k & 1) != 0) {
-                    cell.bending_force =
-                        std::visit([&](const auto& law) { return law.force(force_H0[k], cell.K0, laplacian[k]); },
-                                   membrane_.bending);
+                    cell.bending_force = std::visit(
+                        [&](const auto& law) { return law.force(force_H0[k], cell.K0, laplacian[k]); },
+                        membrane_.bending);
                     cell.tension_force = TensionLaw{membrane_.tension()}.force(force_H0[k]);
                 }
             }
