@@ -70,8 +70,8 @@ public:
     friend bool operator==(const ExactSum&, const ExactSum&) = default;
 
 private:
-    __extension__ typedef __int128 Signed128;
-    __extension__ typedef unsigned __int128 Unsigned128;
+    __extension__ typedef __int128 Signed128;            // NOLINT(modernize-use-using): `using` takes no
+    __extension__ typedef unsigned __int128 Unsigned128; // NOLINT(modernize-use-using): __extension__
 
     // Taken from the bits, not by std::ldexp and std::nearbyint: faster, and blind to the rounding mode.
     static Signed128 fixed_point(double term) {

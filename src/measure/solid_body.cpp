@@ -125,7 +125,7 @@ std::array<double, 3> principal_inertia(const SolidBody& body, double density) {
         -m.xy, m.xx + m.zz, -m.yz,        //
         -m.xz, -m.yz, m.xx + m.yy;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(density * inertia, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d values = solver.eigenvalues();
+    const Eigen::Vector3d& values = solver.eigenvalues();
     return {values[0], values[1], values[2]};
 }
 

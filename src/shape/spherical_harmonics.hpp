@@ -28,7 +28,8 @@ public:
 
 private:
     double coefficient(int l, int m) const {
-        return coefficients_[static_cast<std::size_t>(l * (l + 1) + m)];
+        const int index = l * (l + 1) + m;
+        return coefficients_[static_cast<std::size_t>(index)];
     }
 
     int highest_ = -1;
