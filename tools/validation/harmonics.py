@@ -31,3 +31,22 @@ def decay_rate(finished, degree, first, last):
     if len(steps) < 3:
         raise ValueError(f"{finished.directory}: {len(steps)} surfaces between steps {first} and {last}; need 3")
     return -float(numpy.polyfit(steps, logarithms, 1)[0])
+
+
+def mobility(l, ratio=1.0):
+    """m_l of a membrane that pushes along its normal only and lets its material flow (the paper's); `ratio` is
+    eta_in/eta_out."""
+    one = 1 + ratio
+    return l * (l + 1) * (2 * l + 1) * one / (
+        (2 * l * l * one - 2 * ratio + 1) * (2 * l * l * one + 4 * l * one + 3 * ratio)
+    )
+
+
+def inextensible_mobility(l, ratio=1.0):
+    """m_l of a membrane whose every patch keeps its area."""
+    return l * (l + 1) / (2 * l**3 + 3 * l**2 + 4 + ratio * (2 * l**3 + 3 * l**2 - 5))
+
+
+def relaxation_rate(l, kappa, sigma, radius, viscosity, m=mobility):
+    """Gamma_l = kappa/(eta R^3) (l - 1)(l + 2) [l (l + 1) + sigma R^2/kappa] m_l per step, for density 1."""
+    return (l - 1) * (l + 2) * (kappa * l * (l + 1) + sigma * radius**2) * m(l) / (viscosity * radius**3)

@@ -4,7 +4,7 @@ import json
 import os
 import subprocess
 import sys
-import time
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -41,7 +41,7 @@ class Finished:
 
     def __init__(self, directory, seconds, failure):
         self.directory = Path(directory)
-        self.seconds = seconds  # of wall time on one thread, over all its parts
+        self.seconds = seconds  # of one core's time, over all its parts
         self.failure = failure  # None, or the program's last words
 
     @cached_property
@@ -101,17 +101,28 @@ def run_one(simulation, folder, program):
         command = [program, "run", *simulation.arguments(), "-o", str(directory), "--overwrite", "--threads", "1"]
     _write(stamp_file, {"stamp": stamp, "ended": False, "seconds": spent})
     print(f"   {simulation.name}: starts", flush=True)
-    started = time.monotonic()
-    environment = dict(os.environ, OMP_NUM_THREADS="1")
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
-    seconds = spent + time.monotonic() - started
-    if done.returncode in (2, 3) or done.returncode < 0:  # wrong input, or stopped from outside: no result
-        print(done.stderr, file=sys.stderr)
-        raise SystemExit(f"{simulation.name}: vesica ended with status {done.returncode}")
-    failure = None if done.returncode == 0 else (done.stderr.strip().splitlines() or ["no reason given"])[-1]
+    status, _, words, seconds = run_timed(command)
+    seconds += spent
+    if status in (2, 3) or status < 0:  # wrong input, or stopped from outside: no result
+        print(words, file=sys.stderr)
+        raise SystemExit(f"{simulation.name}: vesica ended with status {status}")
+    failure = None if status == 0 else (words.strip().splitlines() or ["no reason given"])[-1]
     _write(stamp_file, {"stamp": stamp, "ended": True, "seconds": seconds, "failure": failure})
     print(f"   {simulation.name}: {seconds:.0f} s{'' if failure is None else ': ' + failure}", flush=True)
     return Finished(directory, seconds, failure)
+
+
+def run_timed(command, **environment):
+    """Runs a command on one thread. Returns its status (negative: the signal that ended it), what it wrote to its
+    output and to its error stream, and the processor time it took in seconds: unlike wall time it counts no pauses."""
+    everything = dict(os.environ, OMP_NUM_THREADS="1", **environment)
+    with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+        process = subprocess.Popen(command, stdout=output, stderr=errors, env=everything)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        output.seek(0)
+        errors.seek(0)
+        return process.returncode, output.read(), errors.read(), usage.ru_utime + usage.ru_stime
 
 
 def _write(path, content):

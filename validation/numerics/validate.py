@@ -3,16 +3,14 @@
 
 import json
 import math
-import os
-import subprocess
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 
 from validation.item import Item
+from validation.simulations import run_timed
 
 # program, Catch2 test specification
 TESTS = [
@@ -40,16 +38,14 @@ def main():
         if not kept.is_file():
             fresh = kept.with_suffix(".part")
             fresh.unlink(missing_ok=True)
-            environment = dict(os.environ, VESICA_MEASURED=str(fresh), OMP_NUM_THREADS="1")
-            started = time.monotonic()
-            done = subprocess.run([str(item.build / "bin" / program), specification], env=environment, check=False,
-                                  capture_output=True, text=True)  # fmt: skip
-            print(f"   {program} '{specification}': {time.monotonic() - started:.0f} s", flush=True)
-            if done.returncode != 0 or not fresh.is_file():
-                print(done.stdout[-3000:], file=sys.stderr)
+            command = [str(item.build / "bin" / program), specification]
+            status, output, _, seconds = run_timed(command, VESICA_MEASURED=str(fresh))
+            print(f"   {program} '{specification}': {seconds:.0f} s", flush=True)
+            if status != 0 or not fresh.is_file():
+                print(output[-3000:], file=sys.stderr)
                 return number, None, 0.0
             with fresh.open("a", encoding="utf-8") as file:
-                file.write(json.dumps({"seconds": time.monotonic() - started}) + "\n")
+                file.write(json.dumps({"seconds": seconds}) + "\n")
             fresh.replace(kept)
         lines = [json.loads(line) for line in kept.read_text("utf-8").splitlines()]
         return number, [entry for entry in lines if "law" in entry], sum(e.get("seconds", 0.0) for e in lines)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 
-from validation.harmonics import decay_rate
+from validation.harmonics import decay_rate, inextensible_mobility, relaxation_rate
 from validation.item import Item
 from validation.simulations import Simulation
 
@@ -15,24 +15,6 @@ RADIUS, NU = 12.0, 0.5
 MEMBRANES = {"bending": (0.2, 0.0), "bending-and-tension": (0.2, 4e-3), "none": (0.0, 0.0)}  # name -> kappa, sigma
 BOXES = (56, 80)
 STEPS = {2: 3000, 3: 1600, 4: 1000}
-
-
-def mobility(l, ratio=1.0):
-    """m_l of a membrane that pushes along its normal only and lets its material flow (the paper's)."""
-    one = 1 + ratio
-    return l * (l + 1) * (2 * l + 1) * one / (
-        (2 * l * l * one - 2 * ratio + 1) * (2 * l * l * one + 4 * l * one + 3 * ratio)
-    )
-
-
-def inextensible_mobility(l, ratio=1.0):
-    """m_l of a membrane whose every patch keeps its area."""
-    return l * (l + 1) / (2 * l**3 + 3 * l**2 + 4 + ratio * (2 * l**3 + 3 * l**2 - 5))
-
-
-def rate(l, kappa, sigma, m):
-    """Gamma_l = kappa/(eta R^3) (l - 1)(l + 2) [l (l + 1) + sigma R^2/kappa] m_l, eta = nu."""
-    return (l - 1) * (l + 2) * (kappa * l * (l + 1) + sigma * RADIUS**2) * m(l) / (NU * RADIUS**3)
 
 
 def degrees_of(membrane, quick):
@@ -75,7 +57,8 @@ def main():
             if len(boxes) == 2:  # the images' influence falls with their volume fraction, 1/box^3
                 weight = (boxes[1] / boxes[0]) ** 3
                 found = (weight * in_box[boxes[1]] - in_box[boxes[0]]) / (weight - 1)
-            paper, inextensible = rate(l, kappa, sigma, mobility), rate(l, kappa, sigma, inextensible_mobility)
+            paper = relaxation_rate(l, kappa, sigma, RADIUS, NU)
+            inextensible = relaxation_rate(l, kappa, sigma, RADIUS, NU, inextensible_mobility)
             tolerance = 0.15 if item.quick else 0.05
             item.results.relative(f"relaxation rate of l = {l}", membrane, found, paper, tolerance)
             rows.append((membrane, l, *in_box.values(), found, paper, inextensible))
