@@ -57,8 +57,10 @@ def page_of(found):
             f"| [{item.title}](#{item.name}) | {met} of {len(judged)} | {item.results['seconds'] / 60:.0f} "
             f"| `validation/{item.name}/validate.py` |"
         )
+    minutes = sum(item.results["seconds"] for item in found if item.results is not None) / 60
+    lines += ["", f"All of what has been run takes {minutes:.0f} core-minutes, {minutes / 120:.1f} hours on two cores."]
     for item in found:
-        lines += ["", f'<a id="{item.name}"></a>', "", f"## {item.title}", "", item.text]
+        lines += ["", f'<a id="{item.name}"></a>', "", f"## {item.title}", "", _one_level_down(item.text)]
         if item.results is not None:
             lines += _rows(item.results["rows"]) + _tables(item.results["tables"])
             for note in item.results["notes"]:
@@ -73,17 +75,27 @@ def _rows(rows):
     for row in rows:
         target = "" if row["target"] is None else number(row["target"])
         cells = (row["law"], row["conditions"], number(row["measured"]), target, row["tolerance"], SIGNS[row["verdict"]])
-        lines.append("| " + " | ".join(cells) + " |")
+        lines.append(_row(cells))
     return lines
 
 
 def _tables(tables):
     lines = []
     for table in tables:
-        lines += ["", f"**{table['title']}**", "", "| " + " | ".join(table["columns"]) + " |"]
+        lines += ["", f"**{table['title']}**", "", _row(table["columns"])]
         lines.append("|" + " --- |" * len(table["columns"]))
         for row in table["rows"]:
             cells = [cell if isinstance(cell, str) else number(cell) for cell in row]
             cells += [""] * (len(table["columns"]) - len(cells))
-            lines.append("| " + " | ".join(cells) + " |")
+            lines.append(_row(cells))
     return lines
+
+
+def _row(cells):
+    """A bar within a cell, as in int |f|, would end it."""
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def _one_level_down(text):
+    """A README's own headings below that of its section."""
+    return "\n".join("#" + line if line.startswith("#") else line for line in text.split("\n"))
