@@ -42,14 +42,12 @@ def main():
     finished = item.run([*reversed(resting.values()), *rippled.values()])
     results = item.results
 
-    errors = {}
     rows = []
     for radius in radii:
         run = finished[f"rest-R{radius:g}"]
         true_radius = (3 * run.last("volume") / (4 * math.pi)) ** (1 / 3)
         jump = pressure_jump(run)
         law = 2 * SIGMA / true_radius
-        errors[radius] = abs(jump / law - 1)
         speed = run.last("max_speed") * (1 / 6) / SIGMA
         rows.append((radius, true_radius, jump, law, 100 * (jump / law - 1), speed))
         if radius >= 10:

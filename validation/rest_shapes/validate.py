@@ -41,7 +41,8 @@ def planned(quick):
     for v in PROLATES:
         add("prolate", v, 20, 1.0, 1 / 4)
     add("stomatocyte", 0.60, 21, 1.0, 1 / 4)  # at R0 = 20 its rim is too sharp for the program to accept
-    add("discocyte", 0.667, 20, 1.5, 1 / 2, tag="-kappa1.5-nu0.5")  # the same tau_b from other kappa and nu
+    # Other kappa and nu; tau_b is a third longer in both.
+    add("discocyte", 0.667, 20, 1.5, 1 / 2, tag="-kappa1.5-nu0.5")
     add("discocyte", 0.667, 20, 0.5, 1 / 6, tag="-kappa0.5-nu0.167")
     for shape in ("discocyte", "prolate"):
         for v in RESOLVED:

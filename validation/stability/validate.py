@@ -22,8 +22,8 @@ EQUAL_ENERGIES = 0.651  # of prolate and oblate
 
 
 def growth_rate(run, first, last):
-    """Of the ellipse in the plane, per step: (I3 - I2)/I3 is twice the ripple's amplitude to first order; the oblate
-    has its largest moment about its own axis, so the two others are compared."""
+    """Of the ellipse in the plane, per step, from (I2 - I1)/I3: the oblate has its largest moment about its own axis,
+    so the two others, equal on a body of revolution, are compared."""
     steps = run.metrics["step"]
     ellipse = (run.metrics["inertia_2"] - run.metrics["inertia_1"]) / run.metrics["inertia_3"]
     chosen = (steps >= first) & (steps <= last) & (ellipse > 0)
