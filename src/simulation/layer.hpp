@@ -121,13 +121,14 @@ public:
             chi = select<Real>(holds_both, corrected, chi);
             chi.store(fields_.chi.data() + t.slot());
             signed_distance_of(chi, V(purest), settings_.beta).store(fields_.s.data() + t.slot());
+            spread_force_.profile(phase_of(chi)).store(fields_.psi.data() + t.slot());
             const V layer = layer_density(chi);
             area[at(thread)].add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
             core_bits_[index] = bits_of((layer > V(settings_.cutoff)) & holds_both);
         });
         sums_.raw_area = merged(area);
         leaked_ = 0.0;
-        exchange({&fields_.chi, &fields_.s});
+        exchange({&fields_.chi, &fields_.s, &fields_.psi});
     }
 
     bool core_has_left() const {
@@ -240,8 +241,8 @@ private:
             const V H = V::load(fields_.H0.data() + t.slot());
             const V K = V::load(fields_.K0.data() + t.slot());
             const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
-            const V layer = layer_density(V::load(fields_.chi.data() + t.slot()));
-            const Vec3<V> F = spread_force_(layer, phase_gradient(t), normal_force);
+            const Vec3<V> slope = gradient<V>(TileAround<Real>{fields_.psi.data(), t.rows});
+            const Vec3<V> F = spread_force_(slope, normal_force);
             const auto here = V::mask(t.bits[reach::force]);
             select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
             select<Real>(here, F.y, V(0)).store(force.component(1) + t.slot());

@@ -17,6 +17,7 @@ struct LayerFields {
     Array next;    ///< chi after streaming
     Array density; ///< rho
     Array s;       ///< signed distance to phi = 0
+    Array psi;     ///< the force's profile across the layer (membrane/layer_force.hpp)
     Array sharp;   ///< s, and later H0, sharpened for the stencils that will blur it
     Array n[3];    ///< outward unit normal
     Array w[3];    ///< segregation flux
@@ -42,7 +43,7 @@ struct LayerFields {
 private:
     template <class Body>
     void for_each_array(const Body& body) {
-        for (Array* array : {&chi, &next, &density, &s, &sharp, &raw_H0, &H0, &K0, &J})
+        for (Array* array : {&chi, &next, &density, &s, &psi, &sharp, &raw_H0, &H0, &K0, &J})
             body(*array);
         for (int a = 0; a < 3; ++a) {
             body(n[a]);
