@@ -1,9 +1,10 @@
 #pragma once
 
+#include "core/large_memory.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <new>
 #include <type_traits>
 
 namespace vesica {
@@ -23,7 +24,7 @@ struct FieldView {
 };
 
 /// Owns the components of a field, each an array of its own (structure of arrays). Memory is aligned to cache
-/// lines and left untouched, so that the threads that will work on it place its pages by their first write.
+/// lines and left untouched (large_array).
 template <class T>
 class Field {
 public:
@@ -33,7 +34,7 @@ public:
     Field(int components, std::int64_t cells)
         : components_(components),
           stride_(padded_stride(cells)),
-          data_(static_cast<T*>(::operator new (bytes(), std::align_val_t{alignment}))) {
+          data_(large_array<T>(static_cast<std::size_t>(components * stride_))) {
         static_assert(std::is_trivially_copyable_v<T>);
     }
 
@@ -47,10 +48,6 @@ public:
     }
 
 private:
-    struct Free {
-        void operator()(T* data) const { ::operator delete (data, std::align_val_t{alignment}); }
-    };
-
     /// Components a page apart land in the same cache sets: nineteen streams would evict each other. A stride
     /// of 13 cache lines beyond a multiple of the page spreads them.
     static std::int64_t padded_stride(std::int64_t cells) {
@@ -61,7 +58,7 @@ private:
 
     int components_ = 0;
     std::int64_t stride_ = 0;
-    std::unique_ptr<T, Free> data_;
+    std::unique_ptr<T[], FreeLargeMemory> data_;
 };
 
 } // namespace vesica

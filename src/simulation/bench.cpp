@@ -1,6 +1,7 @@
 #include "simulation/bench.hpp"
 
 #include "core/input_error.hpp"
+#include "core/large_memory.hpp"
 #include "simulation/bench_kernels.hpp"
 
 #include <fmt/format.h>
@@ -9,9 +10,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
-#include <new>
 
 namespace vesica {
 
@@ -37,22 +36,13 @@ double fastest(double budget, const Work& work) {
     return best;
 }
 
-struct Freed {
-    void operator()(void* memory) const { std::free(memory); }
-};
-
 template <class Real>
 BenchLimit measure_limit(int edge, Precision precision, int threads, double budget,
                          std::string& instruction_set) {
     const BenchBox box(edge);
     const BenchKernels<Real> kernels = bench_kernels<Real>();
     instruction_set = kernels.instruction_set;
-    constexpr std::size_t page = 4096;
-    const std::size_t bytes = (box.numbers() * sizeof(Real) + page - 1) / page * page;
-    // Pages are not touched here but by the threads that work on them.
-    const std::unique_ptr<Real, Freed> f(static_cast<Real*>(std::aligned_alloc(page, bytes)));
-    if (f == nullptr)
-        throw std::bad_alloc();
+    const auto f = large_array<Real>(box.numbers());
     kernels.fill(box, f.get(), threads);
 
     BenchLimit limit;
