@@ -23,11 +23,13 @@ struct RunArguments {
     int threads = 0;
     std::int64_t steps = 0;
     bool overwrite = false;
+    bool profile = false;
     bool accept_soft_membranes = false;
 };
 
-RunOptions options_of(const std::filesystem::path& directory, int threads) {
+RunOptions options_of(const std::filesystem::path& directory, int threads, bool profile) {
     RunOptions options;
+    options.profile = profile;
     options.directory = directory;
     options.threads = threads;
     options.out = &std::cout;
@@ -51,12 +53,16 @@ std::filesystem::path directory_of(const RunArguments& arguments) {
     return *arguments.directory;
 }
 
+void declare_profile(CLI::App& command, bool& profile) {
+    command.add_flag("--profile", profile, "Say at the end where the steps' time went");
+}
+
 int run(const RunArguments& arguments) {
     refuse_ranks();
     Case what = read_case(arguments.case_file, arguments.overrides);
     if (arguments.steps > 0)
         what.run.steps = arguments.steps;
-    RunOptions options = options_of(directory_of(arguments), arguments.threads);
+    RunOptions options = options_of(directory_of(arguments), arguments.threads, arguments.profile);
     options.overwrite = arguments.overwrite;
     options.plan.accept_soft_membranes = arguments.accept_soft_membranes;
     return tell(run_case(what, options));
@@ -75,6 +81,7 @@ void declare_run(CLI::App& app, Action& action) {
     declare_steps(*command, arguments->steps, "Steps to do instead of those of the case");
     command->add_flag("--overwrite", arguments->overwrite, "Replace what an earlier run left in DIR");
     declare_soft_membranes(*command, arguments->accept_soft_membranes);
+    declare_profile(*command, arguments->profile);
     command->footer(
         "SIGINT, SIGTERM or SIGUSR1 end the run after the step, with a checkpoint (exit status 3).");
     command->callback([&action, arguments] {
@@ -89,6 +96,7 @@ void declare_resume(CLI::App& app, Action& action) {
         std::string directory;
         int threads = 0;
         std::int64_t steps = 0;
+        bool profile = false;
     };
     CLI::App* const command =
         app.add_subcommand("resume", "Continue a run from its newest intact checkpoint, bit for bit");
@@ -98,13 +106,15 @@ void declare_resume(CLI::App& app, Action& action) {
         ->required();
     declare_threads(*command, arguments->threads);
     declare_steps(*command, arguments->steps, "Steps in total, instead of those planned");
+    declare_profile(*command, arguments->profile);
     command->callback([&action, arguments] {
         action = [arguments] {
             refuse_ranks();
             std::optional<std::int64_t> steps;
             if (arguments->steps > 0)
                 steps = arguments->steps;
-            return tell(resume_run(steps, options_of(arguments->directory, arguments->threads)));
+            return tell(
+                resume_run(steps, options_of(arguments->directory, arguments->threads, arguments->profile)));
         };
     });
 }

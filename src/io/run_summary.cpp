@@ -76,6 +76,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"ranks", summary.ranks}};
     json["mlups"] = number(summary.mlups);
     json["seconds"] = numbers(summary.seconds);
+    json["profile"] = numbers(summary.profile);
     json["versions"] = summary.versions;
     json["scales"] = scales_of(summary);
     json["dimensionless"] = numbers(summary.dimensionless);

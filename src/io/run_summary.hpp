@@ -38,6 +38,7 @@ struct RunSummary {
     double bytes_allocated = 0.0;
     double mlups = 0.0;                          ///< million lattice updates per second of stepping
     std::map<std::string, double> seconds;       ///< wall time by what it was spent on
+    std::map<std::string, double> profile;       ///< of the steps: seconds by part, costs of a cell
     std::map<std::string, std::string> versions; ///< vesica, compiler, hdf5, ...
 
     std::optional<Scales> scales;                ///< absent: lattice units only

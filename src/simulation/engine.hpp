@@ -4,6 +4,7 @@
 #include "case/engine_state.hpp"
 #include "case/parameters.hpp"
 #include "measure/snapshot.hpp"
+#include "simulation/step_profile.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -49,6 +50,7 @@ public:
     virtual std::size_t bytes_allocated() const = 0;
     virtual double interface_fraction() const = 0; ///< cells worked on near interfaces / all cells
     virtual std::string_view instruction_set() const = 0;
+    virtual const StepProfile& profile() const = 0; ///< of the steps since construction
 };
 
 const std::vector<std::string>& field_names();

@@ -7,6 +7,7 @@
 #include "simulation/engine_setup.hpp"
 #include "simulation/fluid_step.hpp"
 #include "simulation/layer_placement.hpp"
+#include "simulation/step_profile.hpp"
 
 #include <optional>
 
@@ -77,18 +78,24 @@ public:
 
     void step() override {
         const int threads = setup_.threads;
+        clock_.begin(StepPart::fluid);
         collide_and_stream(); // feeling the membrane's force
-        if (layer_.empty())
-            return;
-        layer_.transport(f_, streaming_, threads); // colours follow, segregated
-        layer_.locate(threads);                    // where is the surface, how large is it
-        if (layer_.core_has_left()) {
-            layer_.follow_core(f_, streaming_, threads);
-            layer_.locate(threads);
+        if (!layer_.empty()) {
+            clock_.enter(StepPart::transport);
+            layer_.transport(f_, streaming_, threads); // colours follow, segregated
+            clock_.enter(StepPart::locate);
+            layer_.locate(threads); // where is the surface, how large is it
+            if (layer_.core_has_left()) {
+                clock_.enter(StepPart::follow);
+                layer_.follow_core(f_, streaming_, threads);
+                layer_.locate(threads);
+            }
+            find_geometry(); // normals, curvatures
+            clock_.enter(StepPart::forces);
+            hold_area();                       // tension of the area constraint
+            layer_.forces(membrane_, threads); // bending and tension, on the fluid
         }
-        find_geometry();                   // normals, curvatures
-        hold_area();                       // tension of the area constraint
-        layer_.forces(membrane_, threads); // bending and tension, on the fluid
+        clock_.leave(static_cast<double>(grid_.volume()), static_cast<double>(layer_.band().cell_count()));
     }
 
     std::int64_t steps_done() const override { return step_; }
@@ -103,6 +110,7 @@ public:
         return static_cast<double>(layer_.band().cell_count()) / static_cast<double>(grid_.volume());
     }
     std::string_view instruction_set() const override { return setup_.instruction_set; }
+    const StepProfile& profile() const override { return clock_.profile(); }
 
 private:
     struct Fastest {
@@ -112,8 +120,11 @@ private:
     };
 
     void find_geometry() {
+        clock_.enter(StepPart::normals);
         layer_.normals(setup_.threads);
+        clock_.enter(StepPart::curvatures);
         layer_.curvatures(setup_.threads);
+        clock_.enter(StepPart::slopes);
         layer_.slopes(setup_.threads);
     }
 
@@ -200,6 +211,7 @@ private:
     Membrane membrane_;
     Streaming streaming_ = Streaming::arrived;
     std::int64_t step_ = 0;
+    StepClock clock_;
 };
 
 } // namespace vesica

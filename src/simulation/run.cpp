@@ -76,6 +76,7 @@ public:
         const LoopResult result = loop(engine, metrics, resumed);
         account_.bytes_allocated = static_cast<double>(engine.bytes_allocated());
         account_.interface_fraction = engine.interface_fraction();
+        account_.profile = engine.profile();
         return conclude(result, metrics);
     }
 
@@ -162,6 +163,8 @@ private:
                             account_.mlups(static_cast<double>(plan_.cells), result.step), where));
         else
             log_.error(outcome.message);
+        if (options_.profile)
+            say(account_.profile.text(threads_));
         return outcome;
     }
 

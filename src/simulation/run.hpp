@@ -16,7 +16,8 @@ namespace vesica {
 struct RunOptions {
     std::filesystem::path directory; ///< DIR
     bool overwrite = false;
-    int threads = 0; ///< 0: as many as default_threads()
+    int threads = 0;      ///< 0: as many as default_threads()
+    bool profile = false; ///< say at the end where the steps' time went
     PlanOptions plan;
     std::ostream* out = nullptr; ///< for progress and a word at the beginning and the end; null: silent
     bool terminal = false;       ///< whether `out` is one

@@ -23,6 +23,7 @@ struct RunAccount {
     std::string instruction_set;
     double bytes_allocated = 0.0;
     double interface_fraction = 0.0;
+    StepProfile profile;
 
     /// Million lattice updates per second of stepping; 0 if nothing was stepped.
     double mlups(double cells, std::int64_t last_step) const;

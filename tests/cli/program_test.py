@@ -277,6 +277,26 @@ class Run(Program):
         self.assertGreater(len((target / "metrics.csv").read_text().splitlines()), 1)
 
 
+class Profile(Program):
+    def test_it_says_where_the_steps_went(self):
+        status, out, errors = self.vesica("run", self.case, "-o", "target", "--set", "run.steps=20", "--threads", 1,
+                                          "--profile")
+        self.assertEqual((status, errors), (0, ""))
+        parts = ("fluid", "transport", "locate", "normals", "curvatures", "slopes", "forces")
+        shares = [float(re.search(rf"^ +{part} .* (\d+\.\d) %", out, re.MULTILINE).group(1)) for part in parts]
+        self.assertAlmostEqual(sum(shares), 100, delta=2)
+        profile = json.loads((self.directory / "target" / "summary.json").read_text())["profile"]
+        self.assertEqual(profile["steps"], 20)
+        self.assertGreater(profile["core_nanoseconds_per_cell"], 0)
+        self.assertGreater(profile["core_nanoseconds_more_per_interface_cell"], 0)
+        self.assertGreater(profile["interface_cells_per_step"], 100)
+
+    def test_without_it_the_summary_alone_has_the_numbers(self):
+        _, out, _ = self.vesica("run", self.case, "-o", "target", "--set", "run.steps=5", "--threads", 1)
+        self.assertNotIn("ns a cell", out)
+        self.assertIn("profile", json.loads((self.directory / "target" / "summary.json").read_text()))
+
+
 class Bench(Program):
     def test_the_numbers_are_there_as_json(self):
         status, out, _ = self.vesica("bench", "--json", "--size", 32, "--threads", 1, "--seconds", 0.05)

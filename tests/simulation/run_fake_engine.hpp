@@ -76,6 +76,7 @@ public:
     std::size_t bytes_allocated() const override { return 1000; }
     double interface_fraction() const override { return 0.1; }
     std::string_view instruction_set() const override { return "baseline"; }
+    const StepProfile& profile() const override { return profile_; }
 
 private:
     double phase_at(const Vec3<double>& position) const {
@@ -136,6 +137,7 @@ private:
 
     Parameters parameters_;
     std::int64_t steps_ = 0;
+    StepProfile profile_;
 };
 
 /// One sphere in a small box.

@@ -20,9 +20,9 @@ _vesica() {
     esac
     local options="--help"
     case $command in
-        run) options="--output --set --threads --steps --overwrite --accept-soft-membranes --help" ;;
+        run) options="--output --set --threads --steps --overwrite --profile --accept-soft-membranes --help" ;;
         check) options="--set --threads --model --accept-soft-membranes --help" ;;
-        resume) options="--threads --steps --help" ;;
+        resume) options="--threads --steps --profile --help" ;;
         new) options="--list --output --help" ;;
         bench) options="--json --threads --size --seconds --help" ;;
         info) ;;

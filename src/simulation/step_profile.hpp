@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace vesica {
+
+/// The parts of a step, in the order they are done.
+enum class StepPart { fluid, transport, locate, follow, normals, curvatures, slopes, forces };
+
+inline constexpr std::size_t step_part_count = 8;
+
+constexpr const char* name_of(StepPart part) {
+    constexpr const char* names[step_part_count] = {"fluid",   "transport",  "locate", "follow",
+                                                    "normals", "curvatures", "slopes", "forces"};
+    return names[static_cast<std::size_t>(part)];
+}
+
+/// Where the time of the steps of this process went.
+struct StepProfile {
+    std::int64_t steps = 0;
+    double cells = 0.0;                            ///< worked on, summed over the steps
+    double interface_cells = 0.0;                  ///< of them in interface bands
+    std::array<double, step_part_count> seconds{}; ///< of wall time, by part
+
+    double of(StepPart part) const { return seconds[static_cast<std::size_t>(part)]; }
+    double total() const {
+        double sum = 0.0;
+        for (const double part : seconds)
+            sum += part;
+        return sum;
+    }
+
+    /// Nanoseconds of one core: for a cell, without a membrane; and what a cell of an interface band costs more.
+    double per_cell(int threads) const;
+    double per_interface_cell(int threads) const;
+
+    std::map<std::string, double> numbers(int threads) const; ///< for summary.json
+    std::string text(int threads) const;                      ///< a table for people
+
+private:
+    static double core_nanoseconds(double part_seconds, double per, int threads);
+};
+
+/// Charges wall time to the part entered last. Two readings of the clock per part: some 200 ns a step.
+template <class Clock>
+class BasicStepClock {
+public:
+    /// A step begins with this part; what went before is nobody's.
+    void begin(StepPart part) {
+        running_ = false;
+        enter(part);
+    }
+
+    void enter(StepPart part) {
+        settle();
+        part_ = static_cast<std::size_t>(part);
+        running_ = true;
+    }
+
+    /// The step is done.
+    void leave(double cells, double interface_cells) {
+        settle();
+        running_ = false;
+        ++profile_.steps;
+        profile_.cells += cells;
+        profile_.interface_cells += interface_cells;
+    }
+
+    const StepProfile& profile() const { return profile_; }
+
+private:
+    void settle() {
+        const typename Clock::time_point now = Clock::now();
+        if (running_)
+            profile_.seconds[part_] += std::chrono::duration<double>(now - since_).count();
+        since_ = now;
+    }
+
+    StepProfile profile_;
+    typename Clock::time_point since_;
+    std::size_t part_ = 0;
+    bool running_ = false;
+};
+
+using StepClock = BasicStepClock<std::chrono::steady_clock>;
+
+} // namespace vesica
