@@ -21,7 +21,10 @@ def legendre_amplitude(surface, degree, axis=(0.0, 0.0, 1.0)):
 
 
 def decay_rate(finished, degree, first, last):
-    """Rate of exponential decay of a_l between two steps, by least squares of log|a_l| over the surfaces written."""
+    """Rate of exponential decay of a_l between two steps, by least squares of log|a_l| over the surfaces written; NaN
+    for a run that ended early."""
+    if finished.failure is not None:
+        return math.nan
     steps, logarithms = [], []
     for path in sorted((finished.directory / "surfaces").glob("surface_*.vtp")):
         step = int(path.stem.rpartition("_")[2])

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -33,7 +34,7 @@ class Simulation:
 
     def stamp(self):
         """What must not have changed if an earlier result is to stand for this run."""
-        return {"case": Path(self.case).read_text("utf-8"), "settings": self.settings}
+        return {"case": tomllib.loads(Path(self.case).read_text("utf-8")), "settings": self.settings}
 
 
 class Finished:
@@ -90,7 +91,7 @@ def run_one(simulation, folder, program):
     stamp = simulation.stamp()
     earlier = json.loads(stamp_file.read_text("utf-8")) if stamp_file.is_file() else {}
     same = earlier.get("stamp") == stamp
-    if same and earlier.get("ended"):
+    if same and earlier.get("ended") and (directory / "metrics.csv").is_file():
         return Finished(directory, earlier["seconds"], earlier["failure"])
 
     spent = earlier.get("seconds", 0.0) if same else 0.0

@@ -3,6 +3,7 @@
 
 import json
 import math
+import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -17,7 +18,7 @@ TESTS = [
     ("test_simulation", "the error of the bending force on a torus falls*"),
     ("test_colour", "each colour's mass stays over a hundred thousand steps*"),
     ("test_simulation", "bending force and energy gradient differ*"),
-    ("test_simulation", "a flat membrane's bending modes*"),
+    ("test_simulation", "a flat membrane's bending modes*,with the paper's coefficient three halves a flat*"),
     ("test_simulation", "a free pear-shaped*,with coefficient three halves*"),
     ("test_simulation", "Gauss-Bonnet*,the raw area of a sphere's layer*"),
     ("test_collision", "*"),
@@ -33,34 +34,44 @@ def main():
     item.scratch.mkdir(parents=True, exist_ok=True)
 
     def run(number):
+        """Whether the test passed, what it measured (a failed test may have measured much before), its seconds."""
         program, specification = tests[number]
-        kept = item.scratch / f"measured-{number}.jsonl"
+        kept = item.scratch / f"{re.sub('[^a-z0-9]+', '-', specification.lower()).strip('-') or program}.jsonl"
         if not kept.is_file():
             fresh = kept.with_suffix(".part")
             fresh.unlink(missing_ok=True)
             command = [str(item.build / "bin" / program), specification]
             status, output, _, seconds = run_timed(command, VESICA_MEASURED=str(fresh))
             print(f"   {program} '{specification}': {seconds:.0f} s", flush=True)
-            if status != 0 or not fresh.is_file():
+            if status != 0:
                 print(output[-3000:], file=sys.stderr)
-                return number, None, 0.0
             with fresh.open("a", encoding="utf-8") as file:
-                file.write(json.dumps({"seconds": seconds}) + "\n")
+                file.write(json.dumps({"seconds": seconds, "passed": status == 0}) + "\n")
+            if status != 0:  # nothing to go on from: it is done again the next time
+                kept.unlink(missing_ok=True)
+                return number, *read(fresh)
             fresh.replace(kept)
-        lines = [json.loads(line) for line in kept.read_text("utf-8").splitlines()]
-        return number, [entry for entry in lines if "law" in entry], sum(e.get("seconds", 0.0) for e in lines)
+        return number, *read(kept)
 
     found = {}
     with ThreadPoolExecutor(max_workers=item.processes) as pool:
-        for number, entries, seconds in pool.map(run, range(len(tests))):
+        for number, passed, entries, seconds in pool.map(run, range(len(tests))):
             item.results.seconds += seconds
-            item.results.at_most("test passes", tests[number][1], 0.0 if entries is not None else math.nan, 0.0)
-            for entry in entries or []:
+            if not passed:
+                item.results.at_most("a test of the laws fails", tests[number][1], math.nan, 0.0)
+            for entry in entries:
                 found[entry["law"], entry["conditions"]] = entry["value"]
     for (law, conditions), value in found.items():
         judge(item.results, law, conditions, value)
     orders(item.results, found)
     item.finish()
+
+
+def read(path):
+    """Passed, entries, seconds."""
+    lines = [json.loads(line) for line in path.read_text("utf-8").splitlines()]
+    passed = all(line["passed"] for line in lines if "passed" in line)
+    return passed, [line for line in lines if "law" in line], sum(line.get("seconds", 0.0) for line in lines)
 
 
 def judge(results, law, conditions, value):
@@ -104,7 +115,10 @@ def judge(results, law, conditions, value):
         else:
             results.report(law, conditions, value)
     elif law.startswith("flat membrane"):
-        results.relative(law, conditions, value, 1.0, 0.04)
+        if "paper" in conditions:
+            results.report(law, conditions, value)
+        else:
+            results.relative(law, conditions, value, 1.0, 0.04)
     else:
         raise SystemExit(f"numerics: no target for '{law}'")
 
@@ -113,16 +127,16 @@ def orders(results, found):
     def order(law, coarse, fine, ratio):
         if (law, coarse) in found and (law, fine) in found:
             return math.log(abs(found[law, coarse] / found[law, fine])) / math.log(ratio)
-        return None
+        return math.nan
 
     wave = "viscosity from a decaying shear wave, relative error"
     for name in sorted({c.rpartition(", ")[0] for law, c in found if law == wave}):
         results.absolute("order of the viscosity", f"{name}, 16 to 64 cells",
                          order(wave, f"{name}, 16 cells", f"{name}, 64 cells", 4), 2.0, 0.1)  # fmt: skip
     torus = "bending force on the torus a = R/2, relative rms error"
-    value = order(torus, "mapped, R = 15.0", "mapped, R = 45.0", 3)
-    if value is not None:
-        results.at_least("order of the bending force on the torus", "mapped, R = 15 to 45", value, 1.6)
+    if any(law == torus for law, _ in found):
+        results.at_least("order of the bending force on the torus", "mapped, R = 15 to 45",
+                         order(torus, "mapped, R = 15.0", "mapped, R = 45.0", 3), 1.6)  # fmt: skip
     power = "power of the bending force over -dE/d(displacement), less 1"
     for c0 in sorted({c.partition(", R")[0] for law, c in found if law == power}):
         results.at_least("order of the energy gradient law", c0,

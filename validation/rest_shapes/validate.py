@@ -36,10 +36,10 @@ def planned(quick):
     if quick:
         add("discocyte", 0.667, 12, 0.4, 1 / 6, bending_times=1.0)
         return wanted
-    for v in SADDLES + OBLATES:
-        add("discocyte", v, 20, 1.0, 1 / 4)
+    for v in SADDLES + OBLATES:  # close to a sphere the area's controller has little to hold on to, and takes its time
+        add("discocyte", v, 20, 1.0, 1 / 4, bending_times=2.0 if v < 0.95 else 4.0)
     for v in PROLATES:
-        add("prolate", v, 20, 1.0, 1 / 4)
+        add("prolate", v, 20, 1.0, 1 / 4, bending_times=2.0 if v < 0.95 else 4.0)
     add("stomatocyte", 0.60, 21, 1.0, 1 / 4)  # at R0 = 20 its rim is too sharp for the program to accept
     # Other kappa and nu; tau_b is a third longer in both.
     add("discocyte", 0.667, 20, 1.5, 1 / 2, tag="-kappa1.5-nu0.5")
@@ -50,6 +50,7 @@ def planned(quick):
     for shape in ("discocyte", "prolate"):
         for v in RESOLVED:
             add(shape, v, 30, 2.25, 1 / 4)
+    add("discocyte", 0.60, 30, 2.25, 1 / 4)  # its centre is 5.9 cells thick at R0 = 20: the layers of its faces overlap
     return wanted
 
 
