@@ -15,11 +15,11 @@ struct FreeLargeMemory {
     void operator()(void* memory) const { std::free(memory); }
 };
 
-/// An array of `count` numbers that a step streams through from end to end, aligned to a cache line at least. It is not
-/// touched here, so that the threads that will work on it place its pages by their first write. Nineteen populations lie
-/// far apart: with pages of 4 kB a row of cells needs more entries of the translation table than there are, and on a
-/// virtual machine every miss walks two of them. So the system is asked for huge pages; where it has none, nothing
-/// changes. Throws std::bad_alloc.
+/// An array of `count` numbers that a step streams through from end to end, aligned to a cache line at least.
+/// It is not touched here, so that the threads that will work on it place its pages by their first write.
+/// Nineteen populations lie far apart: with pages of 4 kB a row of cells needs more entries of the
+/// translation table than there are, and on a virtual machine every miss walks two of them. So the system is
+/// asked for huge pages; where it has none, nothing changes. Throws std::bad_alloc.
 template <class T>
 std::unique_ptr<T[], FreeLargeMemory> large_array(std::size_t count) {
     constexpr std::size_t huge_page = std::size_t{1} << 21;

@@ -31,14 +31,14 @@ std::string StepProfile::text(int threads) const {
     if (steps == 0)
         return "no steps were done, so there is nothing to say of their cost\n";
     const double count = static_cast<double>(steps);
-    std::string text = fmt::format("where {} steps went, {} thread{}; a cell's cost is of one core\n", steps, threads,
-                                   threads == 1 ? "" : "s");
+    std::string text = fmt::format("where {} steps went, {} thread{}; a cell's cost is of one core\n", steps,
+                                   threads, threads == 1 ? "" : "s");
     text += fmt::format("  {:<12}{:>12}{:>9}{:>14}\n", "part", "ms a step", "share", "ns a cell");
     for (std::size_t k = 0; k < step_part_count; ++k) {
         const auto part = static_cast<StepPart>(k);
         const bool everywhere = part == StepPart::fluid;
-        text += fmt::format("  {:<12}{:>12.3f}{:>7.1f} %{:>14.1f}  of {}\n", name_of(part), 1e3 * of(part) / count,
-                            100.0 * of(part) / total(),
+        text += fmt::format("  {:<12}{:>12.3f}{:>7.1f} %{:>14.1f}  of {}\n", name_of(part),
+                            1e3 * of(part) / count, 100.0 * of(part) / total(),
                             core_nanoseconds(of(part), everywhere ? cells : interface_cells, threads),
                             everywhere ? "all cells" : "the interface's cells");
     }

@@ -35,7 +35,8 @@ struct StepProfile {
         return sum;
     }
 
-    /// Nanoseconds of one core: for a cell, without a membrane; and what a cell of an interface band costs more.
+    /// Nanoseconds of one core: for a cell, without a membrane; and what a cell of an interface band costs
+    /// more.
     double per_cell(int threads) const;
     double per_interface_cell(int threads) const;
 

@@ -7,7 +7,9 @@
 using namespace vesica;
 
 TEST_CASE("large arrays begin at a cache line, and at a huge page once they fill two") {
-    const auto address = [](const auto& array) { return reinterpret_cast<std::uintptr_t>(array.get()); };
+    const auto address = [](const auto& array) {
+        return reinterpret_cast<std::uintptr_t>(array.get());
+    };
     const auto small = large_array<float>(1000);
     CHECK(address(small) % 64 == 0);
     constexpr std::size_t count = (std::size_t{2} << 21) / sizeof(double);

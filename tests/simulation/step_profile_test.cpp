@@ -50,7 +50,8 @@ TEST_CASE("costs are those of one core, and of the cells that were worked on") {
     CHECK(numbers.at("seconds_forces") == 0.03);
     CHECK(numbers.at("interface_cells_per_step") == 1e4);
     const std::string text = profile.text(2);
-    CHECK(text.find("a cell costs 40.0 ns, one of the interface (1.0 % of all) 800.0 ns more") != std::string::npos);
+    CHECK(text.find("a cell costs 40.0 ns, one of the interface (1.0 % of all) 800.0 ns more") !=
+          std::string::npos);
     for (std::size_t k = 0; k < step_part_count; ++k)
         CHECK(text.find(name_of(static_cast<StepPart>(k))) != std::string::npos);
 }
