@@ -14,7 +14,7 @@ from validation.shapes_at_rest import at_rest, bending_time, rest_case
 CASE = Path(__file__).parents[1] / "rest_shapes" / "rest.toml"
 V = 0.667
 NU = 1 / 4
-RADII = (8, 9, 10, 12, 15, 20)
+RADII = (8, 9, 10, 12, 15)
 WANTED = 0.03
 WAYS = {
     "mapped, double": {},
