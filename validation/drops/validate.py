@@ -30,6 +30,9 @@ def main():
             "lattice.size": [box] * 3, "vesicle[0].centre": [box / 2] * 3, "vesicle[0].radius": radius,
             "run.steps": steps, "output.fields.every": steps, "output.surfaces.every": steps,
         })  # fmt: skip
+    wide = None
+    if not item.quick:  # spurious currents come from the narrowness of the layer: see README
+        wide = Simulation("rest-R15-beta0.5", HERE / "drop.toml", {**resting[15].settings, "fluid.segregation": 0.5})
     rippled = {}
     for box in () if item.quick else BOXES:
         rippled[box] = Simulation(f"ripple-box{box}", HERE / "ripple.toml", {
@@ -39,7 +42,7 @@ def main():
         })  # fmt: skip
         rippled[box, "none"] = Simulation(f"ripple-without-tension-box{box}", HERE / "ripple.toml", {
             **rippled[box].settings, "vesicle_type.drop.tension.sigma": 0.0})  # fmt: skip
-    finished = item.run([*reversed(resting.values()), *rippled.values()])
+    finished = item.run([*reversed(resting.values()), *([wide] if wide else []), *rippled.values()])
     results = item.results
 
     rows = []
@@ -55,6 +58,9 @@ def main():
         if radius >= 15 or item.quick:
             bound = 1e-4 if not item.quick else 3e-4
             results.at_most("spurious currents, Ca = eta u_max/sigma", f"R = {radius:g}", speed, bound)
+    if wide:
+        results.at_most("spurious currents, Ca = eta u_max/sigma", "R = 15, beta = 0.5",
+                        finished[wide.name].last("max_speed") * (1 / 6) / SIGMA, 1e-4)  # fmt: skip
     results.table("Drops at rest after 6,000 steps", ("R0", "R", "p_in - p_out", "2 sigma/R", "error %",
                                                       "spurious Ca"), rows)  # fmt: skip
 
