@@ -27,7 +27,6 @@ REMEDIES = {
     "beta 0.60": {"fluid.segregation": 0.60},
     "beta 0.70": {"fluid.segregation": 0.70},
     "cutoff 0.1": {"numerics.cutoff": 0.1},
-    "cutoff 0.03": {"numerics.cutoff": 0.03},
     "cutoff 0.001": {"numerics.cutoff": 1e-3},
 }
 REMEDY_RADII = (8, 9, 10, 12)

@@ -28,7 +28,7 @@ WAYS = {
 SHAPES = (("discocyte", 0.667, 15), ("discocyte", 0.8, 15), ("prolate", 0.8, 15))
 DROP = {"radius": 10, "sigma": 0.01, "box": 40, "steps": 6000}
 SPHERE = {"radius": 12.0, "kappa": 0.2, "nu": 0.5, "box": 56, "steps": 3000}
-OBLATE = {"v": (0.70, 0.80), "radius": 10, "kappa": 0.5, "bending_times": 12}
+OBLATE = {"v": (0.70, 0.80), "radius": 10, "kappa": 0.5, "bending_times": 8}
 
 
 def label(way, what):

@@ -12,7 +12,7 @@ from validation.shapes_at_rest import at_rest, rest_case
 CASE = Path(__file__).with_name("rest.toml")
 OBLATES = (0.75, 0.70, 0.667, 0.65, 0.60)
 SADDLES = (0.95, 0.90, 0.80)  # oblates unstable to m = 2: kept by the lattice's symmetry
-PROLATES = (0.95, 0.90, 0.80, 0.75, 0.70, 0.667, 0.65, 0.60)
+PROLATES = (0.95, 0.90, 0.80, 0.70, 0.667, 0.65, 0.60)
 RESOLVED = (0.80, 0.667)  # at R0 = 15 and 30 as well
 # Published for axisymmetric Helfrich shapes: E/(8 pi kappa) at these reduced volumes.
 PUBLISHED = {
