@@ -51,6 +51,17 @@ public:
             return slots_[i] + cell + offsets_[i];
     }
 
+    /// Asks for the arriving populations of `count` cells in a row to be brought near.
+    template <Streaming streaming>
+    [[gnu::always_inline]] void fetch(std::int64_t cell, int count) const {
+        for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
+            const Real* const first = arriving<streaming, decltype(i)::value>(cell);
+            __builtin_prefetch(first);
+            if constexpr (velocity(decltype(i)::value, 0) != 0) // across two cache lines
+                __builtin_prefetch(first + count - 1);
+        });
+    }
+
     /// The same as arriving(), for the rare reader that does not know the phase at compile time.
     const Real* find(Streaming streaming, int i, std::int64_t cell) const {
         return streaming == Streaming::arrived ? slots_[i] + cell : slots_[opposite(i)] + cell - offsets_[i];

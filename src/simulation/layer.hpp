@@ -271,20 +271,6 @@ private:
         return V::load(f.find(streaming, i, cell));
     }
 
-    /// The band's tiles lie scattered in the box, in runs too short for the machine to foresee: the
-    /// populations of a tile to come are asked for in time.
-    template <Streaming streaming>
-    VESICA_INLINE void fetch_ahead(const PopulationView<Real>& f, std::size_t index) const {
-        constexpr std::size_t distance = 3;
-        const std::int64_t cell = band_.tiles()[std::min(index + distance, band_.tiles().size() - 1)].cell;
-        for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
-            const Real* const first = f.template arriving<streaming, decltype(i)::value>(cell);
-            __builtin_prefetch(first);
-            if constexpr (velocity(decltype(i)::value, 0) != 0)
-                __builtin_prefetch(first + tile_width - 1);
-        });
-    }
-
     template <Streaming streaming>
     void transport_from(const PopulationView<Real>& f, int threads) {
         std::vector<LaneSum<50>> leaked(static_cast<std::size_t>(threads));
@@ -293,7 +279,9 @@ private:
         const V per_reference = V(1.0 / settings_.reference_density);
         const Vec3<const Real*> w{fields_.w[0].data(), fields_.w[1].data(), fields_.w[2].data()};
         for_tiles(reach::receiving, threads, [&](const BandTile& t, std::size_t index, int thread) {
-            fetch_ahead<streaming>(f, index);
+            // The band's tiles lie scattered, in runs too short for the machine to foresee.
+            const std::size_t ahead = std::min(index + 3, band_.tiles().size() - 1);
+            f.template fetch<streaming>(band_.tiles()[ahead].cell, tile_width);
             V g[direction_count];
             for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
                 g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));

@@ -72,8 +72,8 @@ TEST_CASE("Laplace: the pressure inside a drop exceeds that outside by 2 sigma/R
     const MetricsRow row = metrics_of(*engine);
     const double radius = std::cbrt(row.volume * 3.0 / (4.0 * pi));
     INFO("jump " << inside - outside << " speed " << row.max_speed);
-    CHECK(inside - outside == Approx(2.0 * sigma / radius).epsilon(0.01));
-    CHECK(viscosity * row.max_speed / sigma < 2e-4);
+    CHECK(inside - outside == Approx(2.0 * sigma / radius).epsilon(1e-3));
+    CHECK(viscosity * row.max_speed / sigma < 2.5e-4);
 }
 
 TEST_CASE("a discocyte's energy and reduced volume agree between double and single precision to 1e-3") {
