@@ -9,8 +9,9 @@ namespace vesica {
 
 /// Spreads a force per membrane area over the diffuse layer: F = -(1/2) f_n grad psi, where psi(phi) goes
 /// from -1 outside to 1 inside. The lattice's gradients of any psi add up to its jump, 2, across a layer,
-/// whatever the layer's direction, place and exact profile; so the layer sustains exactly the pressure jump
-/// f_n, and a constant f_n is balanced by a pressure to the last digit and drives no flow.
+/// whatever the layer's direction, place and exact profile; so the layer sustains the pressure jump f_n. A
+/// constant f_n is the gradient of a potential; the flow it drives all the same is the lattice's, whose
+/// streaming balances averages of a force over its links.
 ///
 /// psi = (3 x - x^3)/2 with x = phi/phi_c kept within -1..1, phi_c^2 = 1 - cutoff: flat beyond 1 - phi^2 =
 /// cutoff, where curvatures are not trusted, without a corner there, and steepest at phi = 0: the force falls

@@ -47,7 +47,7 @@ private:
     static double core_nanoseconds(double part_seconds, double per, int threads);
 };
 
-/// Charges wall time to the part entered last. Two readings of the clock per part: some 200 ns a step.
+/// Charges wall time to the part entered last. One reading of the clock per part: some 200 ns a step.
 template <class Clock>
 class BasicStepClock {
 public:

@@ -110,7 +110,7 @@ def main():
             rest = rest_of(name) if name in finished else None
             row += [100 * rest.energy_error(), rest.rms] if kept(rest) else ["refused" if name not in finished else "lost", ""]
         remedies.append(row)
-    item.results.table("What could lower the error: wider or sharper layers, wider or narrower tapers",
+    item.results.table("What could lower the error: wider or sharper layers, larger or smaller cutoffs",
                        ("changed", *(f"{what}, R0 = {r}" for r in REMEDY_RADII for what in ("error of E, %", "rms"))),
                        remedies)  # fmt: skip
     item.finish()
