@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <new>
 
@@ -24,6 +25,8 @@ template <class T>
 std::unique_ptr<T[], FreeLargeMemory> large_array(std::size_t count) {
     constexpr std::size_t huge_page = std::size_t{1} << 21;
     constexpr std::size_t cache_line = 64;
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) - huge_page)
+        throw std::bad_alloc();
     const std::size_t alignment = count * sizeof(T) >= 2 * huge_page ? huge_page : cache_line;
     const std::size_t bytes = (count * sizeof(T) + alignment - 1) / alignment * alignment;
     void* const memory = std::aligned_alloc(alignment, bytes);

@@ -28,7 +28,7 @@ std::map<std::string, double> StepProfile::numbers(int threads) const {
 }
 
 std::string StepProfile::text(int threads) const {
-    if (steps == 0)
+    if (steps == 0 || total() <= 0.0)
         return "no steps were done, so there is nothing to say of their cost\n";
     const double count = static_cast<double>(steps);
     std::string text = fmt::format("where {} steps went, {} thread{}; a cell's cost is of one core\n", steps,

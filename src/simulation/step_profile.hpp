@@ -51,16 +51,19 @@ private:
 template <class Clock>
 class BasicStepClock {
 public:
-    /// A step begins with this part; what went before is nobody's.
+    /// A step begins with this part; what goes on between steps is nobody's.
     void begin(StepPart part) {
-        running_ = false;
-        enter(part);
-    }
-
-    void enter(StepPart part) {
-        settle();
+        since_ = Clock::now();
         part_ = static_cast<std::size_t>(part);
         running_ = true;
+    }
+
+    /// Nothing outside a step, so that the passes of a step can be used there as well.
+    void enter(StepPart part) {
+        if (!running_)
+            return;
+        settle();
+        part_ = static_cast<std::size_t>(part);
     }
 
     /// The step is done.
@@ -77,8 +80,7 @@ public:
 private:
     void settle() {
         const typename Clock::time_point now = Clock::now();
-        if (running_)
-            profile_.seconds[part_] += std::chrono::duration<double>(now - since_).count();
+        profile_.seconds[part_] += std::chrono::duration<double>(now - since_).count();
         since_ = now;
     }
 

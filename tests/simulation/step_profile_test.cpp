@@ -20,6 +20,8 @@ struct HandClock {
 
 TEST_CASE("time is charged to the part that was entered last, and to none between steps") {
     BasicStepClock<HandClock> clock;
+    clock.enter(StepPart::slopes); // set-up uses the same passes
+    HandClock::pass(500);
     for (int step = 0; step < 2; ++step) {
         clock.begin(StepPart::fluid);
         HandClock::pass(2);

@@ -58,7 +58,7 @@ def main():
         for number, passed, entries, seconds in pool.map(run, range(len(tests))):
             item.results.seconds += seconds
             if not passed:
-                item.results.at_most("a test of the laws fails", tests[number][1], math.nan, 0.0)
+                item.results.at_most("a test of the laws fails or measures nothing", tests[number][1], math.nan, 0.0)
             for entry in entries:
                 found[entry["law"], entry["conditions"]] = entry["value"]
     for (law, conditions), value in found.items():
@@ -71,7 +71,8 @@ def read(path):
     """Passed, entries, seconds."""
     lines = [json.loads(line) for line in path.read_text("utf-8").splitlines()]
     passed = all(line["passed"] for line in lines if "passed" in line)
-    return passed, [line for line in lines if "law" in line], sum(line.get("seconds", 0.0) for line in lines)
+    entries = [line for line in lines if "law" in line]
+    return passed and bool(entries), entries, sum(line.get("seconds", 0.0) for line in lines)
 
 
 def judge(results, law, conditions, value):

@@ -131,7 +131,7 @@ def oblate_table(item, finished):
         steps = run.metrics["step"]
         ellipse = (run.metrics["inertia_2"] - run.metrics["inertia_1"]) / run.metrics["inertia_3"]
         chosen = (steps >= 2 * time) & (steps <= 8 * time) & (ellipse > 0)
-        rate = float(numpy.polyfit(steps[chosen], numpy.log(ellipse[chosen]), 1)[0]) * time
+        rate = float(numpy.polyfit(steps[chosen], numpy.log(ellipse[chosen]), 1)[0]) * time if chosen.sum() > 2 else numpy.nan
         rows.append((v, way, rate, float(ellipse[0]), float(ellipse[-1]), run.last("reduced_volume")))
     item.results.table(
         f"A 2 % ellipse in the plane of an oblate, R0 = {OBLATE['radius']}, {OBLATE['bending_times']} bending times",
