@@ -48,10 +48,12 @@ def planned(quick):
     for shape in ("discocyte", "prolate"):
         for v in RESOLVED:
             add(shape, v, 15, 0.5, 1 / 4)
+    # The stomatocyte's mouth has a radius of .11 R_A, 2.7 cells at R0 = 21: the layers of its rim meet in it.
     single = {"numerics.precision": "single"}  # half the time, and the same energies: see the cost of accuracy
     for shape in ("discocyte", "prolate"):
         for v in RESOLVED:
             add(shape, v, 30, 3.375, 1 / 4, settings=single)
+    add("stomatocyte", 0.60, 30, 2.25, 1 / 4, settings=single)
     add("discocyte", 0.60, 30, 3.375, 1 / 4, settings=single)  # its centre is 5.9 cells thick at R0 = 20: the layers of its faces overlap
     return wanted
 
