@@ -76,10 +76,13 @@ class AtRest:
 
 
 def at_rest(finished, shape):
+    """None if theory has no shape of this branch at the reduced volume the run has come to."""
     branch = BRANCH_OF[shape]
     v, area, volume = (finished.last(name) for name in ("reduced_volume", "area", "volume"))
     kappa = finished.run.resolved["vesicle_type"]["vesicle"]["bending"]["modulus"]
     kappa = kappa["lattice"] if isinstance(kappa, dict) else kappa
+    if THEORY.profile(branch, v) is None:
+        return None
     length = math.sqrt(area / (4 * math.pi))
     radius = (3 * volume / (4 * math.pi)) ** (1 / 3)
     slope = float((THEORY.energy(branch, v + 1e-4) - THEORY.energy(branch, v - 1e-4)) / 2e-4)

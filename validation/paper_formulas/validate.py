@@ -83,6 +83,10 @@ def rest_table(item, finished, shapes, ways):
                 rows.append((f"{shape} v = {v}", radius, way, "ended early: " + run.failure))
                 continue
             rest = at_rest(run, shape)
+            if rest is None:
+                rows.append((f"{shape} v = {v}", radius, way, run.last("reduced_volume"), run.last("bending_energy"),
+                             "no such shape in theory"))  # fmt: skip
+                continue
             if way == "defaults":
                 item.results.absolute("energy error with the defaults", f"{shape} v = {v}, R0 = {radius}",
                                       rest.energy_error(), 0.0, 0.01 if radius >= 20 else 0.04)  # fmt: skip
