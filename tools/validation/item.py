@@ -36,7 +36,8 @@ class Item:
         for name, run in finished.items():
             self.results.seconds += run.seconds
             if run.failure is not None:
-                self.results.at_most(f"run {name} ends as it should", run.failure, float("nan"), 0.0)
+                why = run.failure.removeprefix("vesica: ").partition("; likely cause")[0]  # what follows names directories
+                self.results.at_most(f"run {name} ends as it should", why, float("nan"), 0.0)
         return finished
 
     def finish(self):
