@@ -105,4 +105,16 @@ inline void print_rate(const char* name, const Arguments& arguments, const Rate&
     plb::pcout << line.str() << std::flush;
 }
 
+/// The whole program: body(arguments, T()) with T the precision asked for.
+template <class Body>
+int run_in_precision_asked_for(int argc, char** argv, const Body& body) {
+    plb::plbInit(&argc, &argv);
+    const Arguments arguments = read_arguments(argc, argv, "bgk");
+    if (arguments.precision == "double")
+        body(arguments, double());
+    else
+        body(arguments, float());
+    return 0;
+}
+
 } // namespace peers

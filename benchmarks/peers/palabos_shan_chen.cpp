@@ -78,11 +78,6 @@ void run_in(const peers::Arguments& arguments) {
 } // namespace
 
 int main(int argc, char** argv) {
-    plb::plbInit(&argc, &argv);
-    const peers::Arguments arguments = peers::read_arguments(argc, argv, "bgk");
-    if (arguments.precision == "double")
-        run_in<double>(arguments);
-    else
-        run_in<float>(arguments);
-    return 0;
+    return peers::run_in_precision_asked_for(
+        argc, argv, [](const auto& arguments, auto number) { run_in<decltype(number)>(arguments); });
 }

@@ -134,6 +134,7 @@ void Band::lay_out() {
         previous = t;
     }
     compact_size_ = address + tile;
+    cell_count_ = 0;
 
     for (const std::int64_t t : members) {
         const std::size_t at = static_cast<std::size_t>(t);
@@ -147,6 +148,7 @@ void Band::lay_out() {
             if (band_tile.bits[level] != 0)
                 of_level_[level].push_back(static_cast<std::int32_t>(tiles_.size()));
         }
+        cell_count_ += std::popcount(band_tile.bits[outermost]);
         link(band_tile);
         tiles_.push_back(band_tile);
     }
@@ -180,13 +182,6 @@ void Band::list_ghost_copies() {
                                      static_cast<std::int32_t>(slot_of_tile(t) + k)});
         }
     }
-}
-
-std::int64_t Band::cell_count() const {
-    std::int64_t count = 0;
-    for (const BandTile& t : tiles_)
-        count += std::popcount(t.bits[outermost]);
-    return count;
 }
 
 std::size_t Band::bytes() const {

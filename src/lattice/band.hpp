@@ -61,7 +61,8 @@ public:
         return slot_of_tile_[static_cast<std::size_t>(tile)];
     }
 
-    std::int64_t cell_count() const;
+    /// Cells of all levels.
+    std::int64_t cell_count() const { return cell_count_; }
     std::size_t bytes() const;
 
 private:
@@ -85,6 +86,7 @@ private:
     std::vector<std::int64_t> marked_[BandTile::levels];
     Bits level_bits_[BandTile::levels];
     std::int64_t compact_size_ = 0;
+    std::int64_t cell_count_ = 0;
 };
 
 } // namespace vesica

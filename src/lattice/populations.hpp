@@ -57,7 +57,8 @@ public:
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
             const Real* const first = arriving<streaming, decltype(i)::value>(cell);
             __builtin_prefetch(first);
-            if constexpr (velocity(decltype(i)::value, 0) != 0) // across two cache lines
+            if constexpr (streaming == Streaming::turned && velocity(decltype(i)::value, 0) != 0)
+                // shifted by a cell, they lie across two cache lines
                 __builtin_prefetch(first + count - 1);
         });
     }

@@ -19,6 +19,13 @@ BendingLaw bending_law(const BendingParameters& bending) {
     return PaperBendingLaw{bending.modulus, std::get<PaperBending>(bending.form).laplacian_coefficient};
 }
 
+/// The Helfrich modulus of equal resistance against ripples on a sphere: the paper's form has its coefficient
+/// c in the place of 1/2.
+double stiffness_of(const BendingParameters& bending) {
+    const auto* paper = std::get_if<PaperBending>(&bending.form);
+    return paper != nullptr ? 2.0 * paper->laplacian_coefficient * bending.modulus : bending.modulus;
+}
+
 /// Gains of the area's controller for a vesicle of radius R in a fluid of viscosity eta. Half of the largest
 /// explicit stiffness eta R makes the area an oscillator of omega^2 = 4 H^2 K/(3 rho), three cells of fluid
 /// on the spring of the membrane; the derivative time damps it about critically, and the integral follows ten
@@ -31,7 +38,7 @@ AreaMultiplier::Gains controller_gains(const VesicleType& type, double radius, d
     gains.integral_time = 2.0 * radius / nu * std::max(1.0, 0.3 / std::max(excess_area, 0.01));
     // The sphere's mode l = 3 buckles at sigma R^2/kappa = -12. A membrane that cannot bend resists no
     // compression.
-    gains.lowest_tension = -12.0 * type.bending.modulus / (radius * radius) - type.sigma;
+    gains.lowest_tension = -12.0 * stiffness_of(type.bending) / (radius * radius) - type.sigma;
     return gains;
 }
 

@@ -71,29 +71,17 @@ public:
             layer_.weigh(f_, streaming_, setup_.threads);
             layer_.locate(setup_.threads);
             find_geometry();
-            hold_area();
-            layer_.forces(membrane_, setup_.threads);
+            push_fluid();
         }
     }
 
     void step() override {
-        const int threads = setup_.threads;
-        clock_.begin(StepPart::fluid);
         collide_and_stream(); // feeling the membrane's force
         if (!layer_.empty()) {
-            clock_.enter(StepPart::transport);
-            layer_.transport(f_, streaming_, threads); // colours follow, segregated
-            clock_.enter(StepPart::locate);
-            layer_.locate(threads); // where is the surface, how large is it
-            if (layer_.core_has_left()) {
-                clock_.enter(StepPart::follow);
-                layer_.follow_core(f_, streaming_, threads);
-                layer_.locate(threads);
-            }
-            find_geometry(); // normals, curvatures
-            clock_.enter(StepPart::forces);
-            hold_area();                       // tension of the area constraint
-            layer_.forces(membrane_, threads); // bending and tension, on the fluid
+            carry_colours();  // along with the fluid, segregated
+            locate_surface(); // where it is, how large it is
+            find_geometry();  // normals, curvatures
+            push_fluid();     // bending, tension, the area's constraint
         }
         clock_.leave(static_cast<double>(grid_.volume()), static_cast<double>(layer_.band().cell_count()));
     }
@@ -119,6 +107,21 @@ private:
         double density = 1.0;
     };
 
+    void carry_colours() {
+        clock_.enter(StepPart::transport);
+        layer_.transport(f_, streaming_, setup_.threads);
+    }
+
+    void locate_surface() {
+        clock_.enter(StepPart::locate);
+        layer_.locate(setup_.threads);
+        if (layer_.core_has_left()) {
+            clock_.enter(StepPart::follow);
+            layer_.follow_core(f_, streaming_, setup_.threads);
+            layer_.locate(setup_.threads);
+        }
+    }
+
     void find_geometry() {
         clock_.enter(StepPart::normals);
         layer_.normals(setup_.threads);
@@ -128,7 +131,14 @@ private:
         layer_.slopes(setup_.threads);
     }
 
+    void push_fluid() {
+        clock_.enter(StepPart::forces);
+        hold_area();
+        layer_.forces(membrane_, setup_.threads);
+    }
+
     void collide_and_stream() {
+        clock_.begin(StepPart::fluid);
         std::visit([&](const auto& fluid) { fluid(streaming_, influence(), setup_.threads); }, fluid_);
         streaming_ = after_step(streaming_);
         ++step_;

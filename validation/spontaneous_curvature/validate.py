@@ -28,13 +28,13 @@ ENTRIES = [(-2.0, "oblate", 0.8), (1.0, "prolate", 0.8), (1.0, "oblate", 0.667),
            (2.0, "prolate", 0.667)]  # fmt: skip
 
 
-def planned(item):
-    """Entry -> (shape, Simulation)."""
+def planned(item, entries=None, tag="", settings=None):
+    """Entry -> (shape, Simulation); `tag` is for the name, `settings` is changed besides."""
     plans = {}
-    for c0, branch, v in ENTRIES[2:3] if item.quick else ENTRIES:
+    for c0, branch, v in entries or (ENTRIES[2:3] if item.quick else ENTRIES):
         shape = reference_shape(c0, branch, v)
         length = RADIUS * v ** (-1 / 3)
-        name = f"c0{c0:+g}-{branch}-v{v:g}"
+        name = f"c0{c0:+g}-{branch}-v{v:g}{tag}"
         item.scratch.mkdir(parents=True, exist_ok=True)
         mesh = item.scratch / f"{name}.ply"
         write_ply(shape, mesh, RADIUS)
@@ -47,9 +47,27 @@ def planned(item):
             "vesicle_type.vesicle.bending.modulus": KAPPA, "fluid.kinematic_viscosity": NU,
             "vesicle_type.vesicle.bending.spontaneous_curvature": c0 / length,
             "run.steps": steps, "output.fields.every": steps, "output.surfaces.every": steps,
-            "output.checkpoint.every": steps // 2,
+            "output.checkpoint.every": steps // 2, **(settings or {}),
         })  # fmt: skip
     return plans
+
+
+def compared(run, shape, c0, branch, v):
+    """v and C0 R_A of the run's last sample; energy, tension, pressure, each beside theory's; rms distance, cells."""
+    own_v, area, volume = (run.last(name) for name in ("reduced_volume", "area", "volume"))
+    length = math.sqrt(area / (4 * math.pi))
+    own_c0 = c0 * length / (RADIUS * v ** (-1 / 3))
+    exact = follow(shape, own_v, own_c0)
+    profile = exact.profile(2001)
+    disc = profile.r**2 * numpy.gradient(profile.z, profile.s)
+    z = profile.z - numpy.trapz(profile.z * disc, profile.s) / numpy.trapz(disc, profile.s)
+    meridian = Meridian(profile.r, z, profile.s).of_volume(volume)
+    folded = fold(run.surface())
+    found = min((compare(folded, branch, m) for m in (meridian, meridian.upside_down())), key=lambda c: c.rms)
+    tension = run.last("tension") * length**2 / KAPPA
+    jump = pressure_jump(run) * length**3 / KAPPA
+    return (own_v, own_c0, run.last("bending_energy"), exact.energy, found.rms, tension, -2 * exact.area_multiplier, jump,
+            6 * exact.volume_multiplier)  # fmt: skip
 
 
 def check_table(results):
@@ -73,26 +91,14 @@ def main():
         run = finished[simulation.name]
         if run.failure is not None:
             continue
-        own_v, area, volume = (run.last(name) for name in ("reduced_volume", "area", "volume"))
-        length = math.sqrt(area / (4 * math.pi))
-        own_c0 = c0 * length / (RADIUS * v ** (-1 / 3))
-        exact = follow(shape, own_v, own_c0)
-        profile = exact.profile(2001)
-        disc = profile.r**2 * numpy.gradient(profile.z, profile.s)
-        z = profile.z - numpy.trapz(profile.z * disc, profile.s) / numpy.trapz(disc, profile.s)
-        meridian = Meridian(profile.r, z, profile.s).of_volume(volume)
-        folded = fold(run.surface())
-        found = min((compare(folded, branch, m) for m in (meridian, meridian.upside_down())), key=lambda c: c.rms)
-        energy = run.last("bending_energy")
-        tension = run.last("tension") * length**2 / KAPPA
-        jump = pressure_jump(run) * length**3 / KAPPA
+        row = compared(run, shape, c0, branch, v)
+        energy, exact_energy, rms = row[2:5]
         name = f"C0 R_A = {c0:g}, {branch}, v = {v:g}"
         # A sphere with C0 = 0 has energy 1: where -C0 int 2H dA nearly cancels the rest, one per cent of that 1.
-        item.results.absolute("energy at the run's own v and C0 R_A", name, energy, exact.energy,
-                              0.01 * max(1.0, exact.energy) * (2 if item.quick else 1))  # fmt: skip
-        item.results.at_most("distance from the exact profile, rms cells", name, found.rms, 0.15)
-        rows.append((name, own_v, own_c0, energy, exact.energy, found.rms, tension, -2 * exact.area_multiplier, jump,
-                     6 * exact.volume_multiplier))  # fmt: skip
+        item.results.absolute("energy at the run's own v and C0 R_A", name, energy, exact_energy,
+                              0.01 * max(1.0, exact_energy) * (2 if item.quick else 1))  # fmt: skip
+        item.results.at_most("distance from the exact profile, rms cells", name, rms, 0.15)
+        rows.append((name, *row))
     item.results.table(
         f"Exact shapes after {BENDING_TIMES} bending times, R0 = {RADIUS}; theory at the run's own v and C0 R_A",
         ("shape", "v", "C0 R_A", "E", "E exact", "rms, cells", "sigma R_A²/kappa", "exact", "Δp R_A³/kappa", "exact"), rows)  # fmt: skip
