@@ -26,6 +26,18 @@ foreach(build_type Debug Release)
         --test-command "${CMAKE_CTEST_COMMAND}" --output-on-failure)
 endforeach()
 
+# The kernels' headers through the compiler of NVIDIA's GPUs, where there is one.
+find_program(VESICA_NVCC nvcc HINTS /usr/local/cuda/bin)
+mark_as_advanced(VESICA_NVCC)
+if(VESICA_NVCC)
+    add_test(NAME house.gpu_kernels.compile COMMAND "${VESICA_NVCC}" -std=c++20 --expt-relaxed-constexpr -O1
+        -Werror all-warnings -ccbin "${CMAKE_CXX_COMPILER}" -I "${PROJECT_SOURCE_DIR}/src"
+        "${CMAKE_CURRENT_SOURCE_DIR}/house/kernels.cu" -o "${CMAKE_CURRENT_BINARY_DIR}/gpu_kernels")
+    add_test(NAME house.gpu_kernels.run COMMAND "${CMAKE_CURRENT_BINARY_DIR}/gpu_kernels")
+    set_tests_properties(house.gpu_kernels.compile PROPERTIES FIXTURES_SETUP gpu_kernels)
+    set_tests_properties(house.gpu_kernels.run PROPERTIES FIXTURES_REQUIRED gpu_kernels)
+endif()
+
 # A ten-line program against an installed copy.
 add_test(NAME house.consumer COMMAND ${CMAKE_COMMAND}
     -DBUILD_DIR=${PROJECT_BINARY_DIR} -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR}/consumer

@@ -18,11 +18,13 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
             g[i] = V::load(here.populations.view().component(i) + t.slot());
         });
-        const auto& w = here.fields.w;
+        const auto blue_is_minor = sign_bit(here.load(here.fields.chi, t));
         const ColourDensities<V> arrived =
-            gather_colours(g, V(1), here.around(here.fields.chi, t),
-                           FluxAround<Real>{{w[0].data(), w[1].data(), w[2].data()}, t.rows});
-        here.store(arrived.red, here.fields.next, t);
+            gather_colours(g, V(1), here.load(here.fields.density, t), blue_is_minor,
+                           MinorityAround<Real>{blue_is_minor, here.around(here.fields.red, t),
+                                                here.around(here.fields.blue, t)},
+                           here.around(here.fields.w, t));
+        here.store(arrived.red, here.fields.s, t);
         here.store(arrived.blue, here.fields.sharp, t);
     });
     add_kernel<Real>("colour/segregation_flux", isa_name, size, [](Here& here, const BandTile& t) {

@@ -11,16 +11,15 @@ namespace vesica {
 
 namespace {
 
-enum class Pass { fluid, transport, locate, normals, curvatures, slopes, forces };
+enum class Pass { fluid, locate, normals, curvatures, slopes, forces };
 
-constexpr const char* pass_names[] = {"fluid",      "transport", "locate", "normals",
-                                      "curvatures", "slopes",    "forces"};
+constexpr const char* pass_names[] = {"fluid_and_transport", "locate", "normals",
+                                      "curvatures",          "slopes", "forces"};
 
 /// How far out the pass goes, and so which cells its time is shared by; -1: all of the box.
 constexpr int level_of(Pass pass) {
-    constexpr int levels[] = {
-        -1,           reach::receiving, Band::outermost, reach::colour, reach::raw_curvature,
-        reach::slope, reach::force};
+    constexpr int levels[] = {-1,           Band::outermost, reach::colour, reach::raw_curvature,
+                              reach::slope, reach::force};
     return levels[static_cast<int>(pass)];
 }
 
@@ -57,9 +56,16 @@ void time_pass(benchmark::State& state, int edge, Pass timed) {
         run(Pass::curvatures, [&] { layer.curvatures(threads); });
         run(Pass::slopes, [&] { layer.slopes(threads); });
         run(Pass::forces, [&] { layer.forces(membrane, threads); });
-        run(Pass::fluid, [&] { fluid(streaming, sphere.influence(), threads); });
-        streaming = after_step(streaming);
-        run(Pass::transport, [&] { layer.transport(f, streaming, threads); });
+        run(Pass::fluid, [&] {
+            const Streaming streamed = after_step(streaming);
+            layer.begin_transport(threads);
+            fluid(streaming, sphere.influence(), threads,
+                  [&](int thread, std::int64_t first_row, std::int64_t last_row) {
+                      layer.transport_rows(f, streamed, thread, first_row, last_row);
+                  });
+            layer.end_transport();
+            streaming = streamed;
+        });
         state.SetIterationTime(seconds);
     }
     const int level = level_of(timed);
@@ -71,8 +77,8 @@ void add_all(const char* isa_name) {
     // Populations and layer of 16^3 cells (one and a half megabytes each, in double) lie in the caches, of
     // 128^3 in memory.
     for (const int edge : {16, 128})
-        for (const Pass pass : {Pass::fluid, Pass::transport, Pass::locate, Pass::normals, Pass::curvatures,
-                                Pass::slopes, Pass::forces}) {
+        for (const Pass pass :
+             {Pass::fluid, Pass::locate, Pass::normals, Pass::curvatures, Pass::slopes, Pass::forces}) {
             const std::string name = std::string("pass/") + pass_names[static_cast<int>(pass)];
             const std::int64_t box = std::int64_t{edge} * edge * edge;
             benchmark::RegisterBenchmark(benchmark_name<Real>(name, isa_name, box).c_str(),

@@ -4,6 +4,7 @@
 #include "lattice/field.hpp"
 #include "simulation/fluid_step.hpp"
 #include "simulation/layer_placement.hpp"
+#include "simulation/layer_transport.hpp"
 
 #include <bit>
 #include <cmath>

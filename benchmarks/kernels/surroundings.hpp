@@ -34,24 +34,24 @@ public:
     const Vec3<int>& size() const { return grid_.size(); }
     std::int64_t cells() const { return grid_.volume(); }
 
-    VESICA_INLINE V load(const std::vector<Real>& a, const BandTile& t) const {
+    VESICA_INLINE V load(const std::span<Real>& a, const BandTile& t) const {
         return V::load(a.data() + t.slot());
     }
-    VESICA_INLINE Vec3<V> load(const std::vector<Real> (&a)[3], const BandTile& t) const {
+    VESICA_INLINE Vec3<V> load(const std::span<Real> (&a)[3], const BandTile& t) const {
         return {load(a[0], t), load(a[1], t), load(a[2], t)};
     }
-    VESICA_INLINE void store(const V& value, std::vector<Real>& a, const BandTile& t) const {
+    VESICA_INLINE void store(const V& value, std::span<Real> a, const BandTile& t) const {
         value.store(a.data() + t.slot());
     }
-    VESICA_INLINE void store(const Vec3<V>& value, std::vector<Real> (&a)[3], const BandTile& t) const {
+    VESICA_INLINE void store(const Vec3<V>& value, std::span<Real> (&a)[3], const BandTile& t) const {
         store(value.x, a[0], t);
         store(value.y, a[1], t);
         store(value.z, a[2], t);
     }
-    VESICA_INLINE TileAround<Real> around(const std::vector<Real>& a, const BandTile& t) const {
+    VESICA_INLINE TileAround<Real> around(const std::span<Real>& a, const BandTile& t) const {
         return {a.data(), t.rows};
     }
-    VESICA_INLINE Vec3<TileAround<Real>> around(const std::vector<Real> (&a)[3], const BandTile& t) const {
+    VESICA_INLINE Vec3<TileAround<Real>> around(const std::span<Real> (&a)[3], const BandTile& t) const {
         return {around(a[0], t), around(a[1], t), around(a[2], t)};
     }
 
@@ -60,11 +60,13 @@ public:
 
 private:
     void fill() {
-        const auto fill = [](std::vector<Real>& a, double lowest, double width) {
+        const auto fill = [](std::span<Real> a, double lowest, double width) {
             for (std::size_t k = 0; k < a.size(); ++k)
                 a[k] = static_cast<Real>(lowest + width * static_cast<double>(k * 37 % 101) / 101.0);
         };
         fill(fields.chi, -0.4, 0.8);
+        fill(fields.red, 0.0, 1.0);
+        fill(fields.blue, 0.0, 1.0);
         fill(fields.density, 0.99, 0.02);
         fill(fields.s, -2.0, 4.0);
         fill(fields.sharp, -2.0, 4.0);

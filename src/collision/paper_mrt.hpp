@@ -105,8 +105,8 @@ struct PaperMrt {
     double l17 = 1.0;
 
     template <class V>
-    [[gnu::always_inline]] void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
-                                           const V& reference_density) const {
+    [[gnu::always_inline]] constexpr void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
+                                                     const V& reference_density) const {
         const Moments<V> hydrodynamic = moments_of(g);
         const Vec3<V> u = velocity_of(hydrodynamic, reference_density, F);
         const V density = reference_density + hydrodynamic.density_deviation;
@@ -144,7 +144,7 @@ struct PaperMrt {
 
 private:
     template <int p, class V>
-    [[gnu::always_inline]] V rate_of(const V& rate) const {
+    [[gnu::always_inline]] constexpr V rate_of(const V& rate) const {
         if constexpr (p == 0)
             return V(0);
         // With u holding F/2, m0 - m is F/2 here; any rate r gives r F/2 + (1 - r/2) F = F: momentum changes

@@ -14,7 +14,7 @@ struct HydrodynamicStep {
 };
 
 template <class V>
-[[gnu::always_inline]] inline HydrodynamicStep<V>
+[[gnu::always_inline]] constexpr HydrodynamicStep<V>
 relax_hydrodynamics(const Moments<V>& m, const Vec3<V>& F, const V& rate, const V& reference_density) {
     const Vec3<V> u = velocity_of(m, reference_density, F);
     const V density = reference_density + m.density_deviation;
@@ -42,8 +42,8 @@ struct RegularisedCollision {
     /// g: stored deviations, in: before, out: after collision. F: force per volume. rate: lambda of the
     /// stress.
     template <class V>
-    [[gnu::always_inline]] void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
-                                           const V& reference_density) const {
+    [[gnu::always_inline]] constexpr void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
+                                                     const V& reference_density) const {
         const HydrodynamicStep<V> step = relax_hydrodynamics(moments_of(g), F, rate, reference_density);
         populations_of(step.after, g);
     }

@@ -15,7 +15,7 @@ struct FreeGhostRates {
 
     /// The part of a family of ghost modes that survives a collision: 1 - its rate.
     template <GhostFamily family, class V>
-    [[gnu::always_inline]] V kept(const V&) const {
+    [[gnu::always_inline]] constexpr V kept(const V&) const {
         if constexpr (family == GhostFamily::odd_vector)
             return V(1.0 - odd_vector);
         if constexpr (family == GhostFamily::odd_twist)
@@ -32,7 +32,7 @@ struct TwoRelaxationTimes {
     double magic = 3.0 / 16.0;
 
     template <GhostFamily family, class V>
-    [[gnu::always_inline]] V kept(const V& rate) const {
+    [[gnu::always_inline]] constexpr V kept(const V& rate) const {
         if constexpr (family == GhostFamily::odd_vector || family == GhostFamily::odd_twist)
             return V(1) - paired_rate(rate, magic);
         else
@@ -43,7 +43,7 @@ struct TwoRelaxationTimes {
 /// Every mode relaxes like the stress: BGK.
 struct SingleRelaxationTime {
     template <GhostFamily, class V>
-    [[gnu::always_inline]] V kept(const V& rate) const {
+    [[gnu::always_inline]] constexpr V kept(const V& rate) const {
         return V(1) - rate;
     }
 };
@@ -55,8 +55,8 @@ struct SymmetricMrt {
     Ghosts ghosts;
 
     template <class V>
-    [[gnu::always_inline]] void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
-                                           const V& reference_density) const {
+    [[gnu::always_inline]] constexpr void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
+                                                     const V& reference_density) const {
         V kept[ghost_mode_count];
         project(g, rate, kept, std::make_integer_sequence<int, ghost_mode_count>{});
         const HydrodynamicStep<V> step = relax_hydrodynamics(moments_of(g), F, rate, reference_density);
@@ -70,16 +70,16 @@ struct SymmetricMrt {
 
 private:
     template <class V, int... mode>
-    [[gnu::always_inline]] void project(const V (&g)[direction_count], const V& rate,
-                                        V (&kept)[ghost_mode_count],
-                                        std::integer_sequence<int, mode...>) const {
+    [[gnu::always_inline]] constexpr void project(const V (&g)[direction_count], const V& rate,
+                                                  V (&kept)[ghost_mode_count],
+                                                  std::integer_sequence<int, mode...>) const {
         ((kept[mode] = V(1.0 / ghost_norm(mode)) * ghosts.template kept<ghost_family(mode)>(rate) *
                        ghost_moment<mode>(g)),
          ...);
     }
 
     template <int mode, class V>
-    [[gnu::always_inline]] static V ghost_moment(const V (&g)[direction_count]) {
+    [[gnu::always_inline]] static constexpr V ghost_moment(const V (&g)[direction_count]) {
         V sum = V(0);
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
             constexpr double h = ghost_mode(mode, decltype(i)::value);
@@ -94,13 +94,13 @@ private:
     }
 
     template <int i, class V, int... mode>
-    [[gnu::always_inline]] static void add_modes(V& sum, const V (&kept)[ghost_mode_count],
-                                                 std::integer_sequence<int, mode...>) {
+    [[gnu::always_inline]] static constexpr void add_modes(V& sum, const V (&kept)[ghost_mode_count],
+                                                           std::integer_sequence<int, mode...>) {
         (add_mode<ghost_mode(mode, i) == 0.0>(sum, V(ghost_mode(mode, i)), kept[mode]), ...);
     }
 
     template <bool absent, class V>
-    [[gnu::always_inline]] static void add_mode(V& sum, const V& h, const V& kept) {
+    [[gnu::always_inline]] static constexpr void add_mode(V& sum, const V& h, const V& kept) {
         if constexpr (!absent)
             sum = fma(h, kept, sum);
     }

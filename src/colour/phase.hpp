@@ -9,27 +9,27 @@ namespace vesica {
 /// all its digits on both sides of the interface, which 2 rho_R/rho - 1 would lose: in single precision the
 /// tails, and the normals taken from them, depend on it. Pure blue is +0, pure red is -0.
 template <class V>
-[[gnu::always_inline]] inline V red_fraction(const V& chi) {
+[[gnu::always_inline]] constexpr V red_fraction(const V& chi) {
     const V minority = magnitude(chi);
     return select(sign_bit(chi), V(1) - minority, minority);
 }
 
 template <class V>
-[[gnu::always_inline]] inline V blue_fraction(const V& chi) {
+[[gnu::always_inline]] constexpr V blue_fraction(const V& chi) {
     const V minority = magnitude(chi);
     return select(sign_bit(chi), minority, V(1) - minority);
 }
 
 /// phi = (rho_R - rho_B)/rho: +1 inside, -1 outside.
 template <class V>
-[[gnu::always_inline]] inline V phase_of(const V& chi) {
+[[gnu::always_inline]] constexpr V phase_of(const V& chi) {
     const V from_one = V(1) - V(2) * magnitude(chi);
     return select(sign_bit(chi), from_one, -from_one);
 }
 
 /// 1 - phi^2 = 4 (rho_R/rho)(rho_B/rho), without cancellation.
 template <class V>
-[[gnu::always_inline]] inline V layer_density(const V& chi) {
+[[gnu::always_inline]] constexpr V layer_density(const V& chi) {
     const V minority = magnitude(chi);
     return V(4) * minority * (V(1) - minority);
 }
@@ -37,7 +37,7 @@ template <class V>
 /// s = -artanh(phi)/beta = ln(rho_B/rho_R)/(2 beta), the signed distance of a tanh profile, positive outside.
 /// Fractions below `floor` (pure cells) are read as `floor`.
 template <class V>
-[[gnu::always_inline]] inline V signed_distance_of(const V& chi, const V& floor, double beta) {
+[[gnu::always_inline]] constexpr V signed_distance_of(const V& chi, const V& floor, double beta) {
     const V minority = larger(magnitude(chi), floor);
     const V distance = V(0.5 / beta) * logarithm((V(1) - minority) / minority);
     return select(sign_bit(chi), -distance, distance);
@@ -45,7 +45,7 @@ template <class V>
 
 /// The chi of a phase field value.
 template <class V>
-[[gnu::always_inline]] inline V chi_of_phase(const V& phi) {
+[[gnu::always_inline]] constexpr V chi_of_phase(const V& phi) {
     return with_sign_bit(phi > V(0), V(0.5) * (V(1) - magnitude(phi)));
 }
 

@@ -31,12 +31,12 @@ constexpr T select(bool mask, T yes, T no) {
 }
 
 template <std::floating_point T>
-inline T square_root(T a) {
+constexpr T square_root(T a) {
     return std::sqrt(a);
 }
 
 template <std::floating_point T>
-inline T magnitude(T a) {
+constexpr T magnitude(T a) {
     return std::abs(a);
 }
 
@@ -52,24 +52,24 @@ constexpr T smaller(T a, T b) {
 
 /// True for -0.0 as well: the sign bit, not the order.
 template <std::floating_point T>
-inline bool sign_bit(T a) {
+constexpr bool sign_bit(T a) {
     return std::signbit(a);
 }
 
 /// One where the sign bit is set, zero elsewhere.
 template <std::floating_point T>
-inline T one_where_sign_bit(T a) {
+constexpr T one_where_sign_bit(T a) {
     return std::signbit(a) ? T(1) : T(0);
 }
 
 /// |a| with the sign bit set where `negative` holds.
 template <std::floating_point T>
-inline T with_sign_bit(bool negative, T a) {
+constexpr T with_sign_bit(bool negative, T a) {
     return std::copysign(a, negative ? T(-1) : T(1));
 }
 
 template <std::floating_point T>
-inline T logarithm(T a) {
+constexpr T logarithm(T a) {
     return std::log(a);
 }
 

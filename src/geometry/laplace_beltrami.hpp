@@ -6,7 +6,7 @@ namespace vesica {
 
 /// grad_s q = g - n (n.g)
 template <class V>
-[[gnu::always_inline]] inline Vec3<V> tangential(const Vec3<V>& g, const Vec3<V>& n) {
+[[gnu::always_inline]] constexpr Vec3<V> tangential(const Vec3<V>& g, const Vec3<V>& n) {
     const V normal = dot(n, g);
     return {fma(-n.x, normal, g.x), fma(-n.y, normal, g.y), fma(-n.z, normal, g.z)};
 }
@@ -15,7 +15,7 @@ template <class V>
 /// Lap_s q. Divergence form keeps its accuracy under refinement where a difference of second derivatives does
 /// not.
 template <class V>
-[[gnu::always_inline]] inline V surface_divergence(const Jacobian<V>& d, const Vec3<V>& n) {
+[[gnu::always_inline]] constexpr V surface_divergence(const Jacobian<V>& d, const Vec3<V>& n) {
     return d.divergence() - d.normal_component(n);
 }
 
@@ -25,8 +25,8 @@ template <class V>
 /// for q constant along the normals. Here J (1 - s W)^-2 = A^2/J with the adjugate A = (1 - 2 s H) P + s W.
 /// G_ij = d_j n_i, H and J those of the cell; g tangential.
 template <class V>
-[[gnu::always_inline]] inline Vec3<V> flux_on_mid_surface(const Vec3<V>& g, const Jacobian<V>& G,
-                                                          const Vec3<V>& n, const V& s, const V& J) {
+[[gnu::always_inline]] constexpr Vec3<V> flux_on_mid_surface(const Vec3<V>& g, const Jacobian<V>& G,
+                                                             const Vec3<V>& n, const V& s, const V& J) {
     const V spherical = fma(-s, G.divergence(), V(1));
     const auto adjugate = [&](const Vec3<V>& a) VESICA_INLINE_LAMBDA {
         const Vec3<V> Wa = tangential(Vec3<V>{dot(G.x, a), dot(G.y, a), dot(G.z, a)}, n);
@@ -42,8 +42,8 @@ template <class V>
 ///   Lap_s H = Lap H - n_i n_j d_i d_j H - n.grad(H^2),
 /// from the compact Laplacian, the nested second derivatives d of g = grad H, and H itself.
 template <class V>
-[[gnu::always_inline]] inline V paper_laplace_beltrami(const V& laplacian_H, const Jacobian<V>& d,
-                                                       const Vec3<V>& g, const Vec3<V>& n, const V& H) {
+[[gnu::always_inline]] constexpr V paper_laplace_beltrami(const V& laplacian_H, const Jacobian<V>& d,
+                                                          const Vec3<V>& g, const Vec3<V>& n, const V& H) {
     return laplacian_H - d.normal_component(n) - V(2) * H * dot(n, g);
 }
 

@@ -20,8 +20,8 @@ namespace detail {
 /// e_x = (e_a x N)/|e_a x N| in cyclic order (a, b, c): components (0, -N_c, N_b)/r, r^2 = 1 - N_a^2;
 /// e_y = N x e_x: components (1 - N_a^2, -N_a N_b, -N_a N_c)/r. G[i][j] = d_j N_i.
 template <int a, class V>
-[[gnu::always_inline]] inline FrameDerivatives<V> frame_derivatives(const Jacobian<V>& jacobian,
-                                                                    const Vec3<V>& N) {
+[[gnu::always_inline]] constexpr FrameDerivatives<V> frame_derivatives(const Jacobian<V>& jacobian,
+                                                                       const Vec3<V>& N) {
     constexpr int b = (a + 1) % 3;
     constexpr int c = (a + 2) % 3;
     const Vec3<V> G[3] = {jacobian.x, jacobian.y, jacobian.z};
@@ -41,7 +41,7 @@ template <int a, class V>
 }
 
 template <class V>
-[[gnu::always_inline]] inline Curvatures<V> curvatures_in_frame(const FrameDerivatives<V>& d) {
+[[gnu::always_inline]] constexpr Curvatures<V> curvatures_in_frame(const FrameDerivatives<V>& d) {
     // The rotation to the principal frame (Eqs 56-58) leaves trace and determinant as they are.
     return {V(0.5) * (d.xx + d.yy), fma(d.xx, d.yy, -(d.yx * d.yx))};
 }
@@ -50,13 +50,14 @@ template <class V>
 
 /// Curvatures in the frame of axis a: 2 is the paper's frame 1, 0 its frame 2, 1 its frame 3.
 template <int a, class V>
-[[gnu::always_inline]] inline Curvatures<V> curvatures_in_frame_of(const Jacobian<V>& G, const Vec3<V>& N) {
+[[gnu::always_inline]] constexpr Curvatures<V> curvatures_in_frame_of(const Jacobian<V>& G,
+                                                                      const Vec3<V>& N) {
     return detail::curvatures_in_frame(detail::frame_derivatives<a>(G, N));
 }
 
 /// Curvatures in the best conditioned of the three frames.
 template <class V>
-[[gnu::always_inline]] inline Curvatures<V> paper_curvatures_of(const Jacobian<V>& G, const Vec3<V>& N) {
+[[gnu::always_inline]] constexpr Curvatures<V> paper_curvatures_of(const Jacobian<V>& G, const Vec3<V>& N) {
     const Curvatures<V> of_x = curvatures_in_frame_of<0>(G, N);
     const Curvatures<V> of_y = curvatures_in_frame_of<1>(G, N);
     const Curvatures<V> of_z = curvatures_in_frame_of<2>(G, N);

@@ -9,9 +9,10 @@ namespace vesica {
 /// d_a q = 3 sum_i t_i q(x + c_i) c_ia, second order with an isotropic leading error (1/6) d_a Lap q.
 /// `q(Direction<i>{})` is the value at x + c_i.
 template <class V, class Around>
-[[gnu::always_inline]] inline Vec3<V> gradient(const Around& q) {
-    Vec3<V> axial;
-    Vec3<V> diagonal;
+[[gnu::always_inline]] constexpr Vec3<V> gradient(const Around& q) {
+    const V nothing = V(-0.0); // added to anything leaves it alone: unlike +0, it costs nothing
+    Vec3<V> axial{nothing, nothing, nothing};
+    Vec3<V> diagonal{nothing, nothing, nothing};
     for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
         constexpr int head = decltype(i)::value;
         constexpr int cx = velocity(head, 0);
@@ -40,9 +41,9 @@ template <class V, class Around>
 
 /// Lap q = 6 sum_i t_i (q(x + c_i) - q(x)), second order and isotropic.
 template <class V, class Around>
-[[gnu::always_inline]] inline V laplacian(const Around& q) {
-    V near = V(0);
-    V far = V(0);
+[[gnu::always_inline]] constexpr V laplacian(const Around& q) {
+    V near = V(-0.0);
+    V far = V(-0.0);
     for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
         constexpr int head = decltype(i)::value;
         const V sum = q(Direction<head>{}) + q(Direction<opposite(head)>{});
@@ -60,7 +61,7 @@ template <class V, class Around>
 /// q - (order/6) Lap q: makes up in advance for the leading error of `order` applications of gradient(), each
 /// of which sees q + (1/6) Lap q.
 template <class V, class Around>
-[[gnu::always_inline]] inline V sharpened(const Around& q, double order) {
+[[gnu::always_inline]] constexpr V sharpened(const Around& q, double order) {
     return fma(V(-order / 6.0), laplacian<V>(q), q(Direction<0>{}));
 }
 
@@ -78,7 +79,7 @@ struct Jacobian {
 
 /// `q` gives a Vec3 of neighbourhoods, one per component.
 template <class V, class Around>
-[[gnu::always_inline]] inline Jacobian<V> jacobian(const Vec3<Around>& q) {
+[[gnu::always_inline]] constexpr Jacobian<V> jacobian(const Vec3<Around>& q) {
     return {gradient<V>(q.x), gradient<V>(q.y), gradient<V>(q.z)};
 }
 

@@ -51,15 +51,11 @@ public:
             return slots_[i] + cell + offsets_[i];
     }
 
-    /// Asks for the arriving populations of `count` cells in a row to be brought near.
+    /// Asks for the arriving populations of a tile to be brought to the second-level cache.
     template <Streaming streaming>
-    [[gnu::always_inline]] void fetch(std::int64_t cell, int count) const {
+    [[gnu::always_inline]] void fetch(std::int64_t cell) const {
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
-            const Real* const first = arriving<streaming, decltype(i)::value>(cell);
-            __builtin_prefetch(first);
-            if constexpr (streaming == Streaming::turned && velocity(decltype(i)::value, 0) != 0)
-                // shifted by a cell, they lie across two cache lines
-                __builtin_prefetch(first + count - 1);
+            __builtin_prefetch(arriving<streaming, decltype(i)::value>(cell), 0, 2);
         });
     }
 

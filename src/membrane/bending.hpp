@@ -13,7 +13,7 @@ struct HelfrichLaw {
     double spontaneous_curvature = 0.0;
 
     template <class V>
-    [[gnu::always_inline]] V force(const V& H, const V& K, const V& laplace_beltrami_H) const {
+    [[gnu::always_inline]] constexpr V force(const V& H, const V& K, const V& laplace_beltrami_H) const {
         const V c0 = V(spontaneous_curvature);
         const V excess = V(2) * H - c0;
         const V shape = fma(V(2) * H, H, fma(V(-2), K, c0 * H));
@@ -22,7 +22,7 @@ struct HelfrichLaw {
 
     /// Energy per membrane area.
     template <class V>
-    [[gnu::always_inline]] V energy(const V& H) const {
+    [[gnu::always_inline]] constexpr V energy(const V& H) const {
         const V excess = V(2) * H - V(spontaneous_curvature);
         return V(0.5 * modulus) * excess * excess;
     }
@@ -36,13 +36,13 @@ struct PaperBendingLaw {
     double laplacian_coefficient = 1.5;
 
     template <class V>
-    [[gnu::always_inline]] V force(const V& H, const V& K, const V& laplace_beltrami_H) const {
+    [[gnu::always_inline]] constexpr V force(const V& H, const V& K, const V& laplace_beltrami_H) const {
         return V(4 * modulus) * fma(V(laplacian_coefficient), laplace_beltrami_H, H * fma(H, H, -K));
     }
 
     /// The energy whose derivative the curvature part is: (kappa_B/2) int H^2 dA.
     template <class V>
-    [[gnu::always_inline]] V energy(const V& H) const {
+    [[gnu::always_inline]] constexpr V energy(const V& H) const {
         return V(2 * modulus) * H * H;
     }
 };

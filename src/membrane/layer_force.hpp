@@ -19,18 +19,19 @@ namespace vesica {
 class LayerForce {
 public:
     /// cutoff: the 1 - phi^2 below which there is no force.
-    explicit LayerForce(double cutoff) : inverse_reach_(1.0 / std::sqrt(1.0 - cutoff)) {}
+    constexpr explicit LayerForce(double cutoff) : inverse_reach_(1.0 / std::sqrt(1.0 - cutoff)) {}
 
     /// psi of a cell.
     template <class V>
-    [[gnu::always_inline]] V profile(const V& phi) const {
+    [[gnu::always_inline]] constexpr V profile(const V& phi) const {
         const V x = smaller(larger(V(inverse_reach_) * phi, V(-1)), V(1));
         return V(0.5) * x * fma(-x, x, V(3));
     }
 
     /// Force per volume on the fluid. `profile_gradient` is grad psi, `normal_force` f_n per membrane area.
     template <class V>
-    [[gnu::always_inline]] Vec3<V> operator()(const Vec3<V>& profile_gradient, const V& normal_force) const {
+    [[gnu::always_inline]] constexpr Vec3<V> operator()(const Vec3<V>& profile_gradient,
+                                                        const V& normal_force) const {
         const V strength = V(-0.5) * normal_force;
         return {strength * profile_gradient.x, strength * profile_gradient.y, strength * profile_gradient.z};
     }

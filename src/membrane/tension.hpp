@@ -10,7 +10,7 @@ struct TensionLaw {
     double sigma = 0.0; ///< constant tension plus the area constraint's
 
     template <class V>
-    [[gnu::always_inline]] V force(const V& H) const {
+    [[gnu::always_inline]] constexpr V force(const V& H) const {
         return V(-2 * sigma) * H;
     }
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/real.hpp"
+#include "core/vec3.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -179,6 +180,11 @@ VESICA_INLINE Pack<T> fma(Pack<T> a, const Pack<T>& b, const Pack<T>& c) {
             a.v[r] = a.v[r] * b.v[r] + c.v[r];
     }
     return a;
+}
+
+template <class T>
+VESICA_INLINE Pack<T> dot(const Vec3<Pack<T>>& a, const Vec3<Pack<T>>& b) {
+    return fma<T>(a.x, b.x, fma<T>(a.y, b.y, a.z * b.z));
 }
 
 template <class T>

@@ -81,6 +81,26 @@ Parameters discocyte(int edge, Precision precision) {
     return parameters;
 }
 
+/// A vesicle in every cube of 64 cells, so close that interface bands fill most of the box: what a cell of
+/// the interface costs, whatever the size of the box.
+Parameters crowd(int edge, Precision precision) {
+    constexpr int spacing = 64;
+    Parameters parameters = discocyte(edge, precision);
+    parameters.types.front().area.constraint = NoConstraint{};
+    const int per_edge = std::max(1, edge / spacing);
+    VesicleParameters vesicle = parameters.vesicles.front();
+    vesicle.radius = 18.5 / spacing * edge / per_edge;
+    parameters.vesicles.clear();
+    for (int z = 0; z < per_edge; ++z)
+        for (int y = 0; y < per_edge; ++y)
+            for (int x = 0; x < per_edge; ++x) {
+                const double cell = static_cast<double>(edge) / per_edge;
+                vesicle.centre = {(x + 0.5) * cell, (y + 0.5) * cell, (z + 0.5) * cell};
+                parameters.vesicles.push_back(vesicle);
+            }
+    return parameters;
+}
+
 BenchCase measure_case(const std::string& name, const Parameters& parameters, int threads,
                        const BenchOptions& options) {
     const auto engine =
@@ -96,6 +116,7 @@ BenchCase measure_case(const std::string& name, const Parameters& parameters, in
     });
     measured.mlups = 2e-6 * std::pow(parameters.size.x, 3) / pair;
     measured.interface_fraction = engine->interface_fraction();
+    measured.bytes_per_cell = static_cast<double>(engine->bytes_allocated()) / std::pow(parameters.size.x, 3);
     measured.instruction_set = std::string(engine->instruction_set());
     return measured;
 }
@@ -138,6 +159,8 @@ BenchReport run_bench(const BenchOptions& options) {
             say("a discocyte" + suffix, edge);
             report.cases.push_back(
                 measure_case("discocyte", discocyte(edge, precision), report.threads, options));
+            say("a crowd of discocytes" + suffix, edge);
+            report.cases.push_back(measure_case("crowd", crowd(edge, precision), report.threads, options));
         }
     }
     return report;

@@ -25,15 +25,15 @@ std::string bench_text(const BenchReport& report) {
                             name_of(limit.precision), 1e-9 * limit.bandwidth, limit.bandwidth_mlups,
                             limit.streaming_mlups);
     text += "\nThe standard cases\n";
-    text += fmt::format("  {:<10}  {:>5}  {:<9}  {:>8}  {:>12}  {:>12}  {:>11}\n", "case", "box", "precision",
-                        "MLUPS", "of bandwidth", "of streaming", "interface");
+    text += fmt::format("  {:<10}  {:>5}  {:<9}  {:>8}  {:>12}  {:>12}  {:>11}  {:>10}\n", "case", "box",
+                        "precision", "MLUPS", "of bandwidth", "of streaming", "interface", "bytes/cell");
     for (const BenchCase& measured : report.cases) {
         const BenchLimit& limit = report.limit_of(measured);
-        text +=
-            fmt::format("  {:<10}  {:>3}^3  {:<9}  {:>8.2f}  {:>10.1f} %  {:>10.1f} %  {:>9.1f} %\n",
-                        measured.name, measured.edge, name_of(measured.precision), measured.mlups,
-                        100.0 * measured.mlups / limit.bandwidth_mlups,
-                        100.0 * measured.mlups / limit.streaming_mlups, 100.0 * measured.interface_fraction);
+        text += fmt::format(
+            "  {:<10}  {:>3}^3  {:<9}  {:>8.2f}  {:>10.1f} %  {:>10.1f} %  {:>9.1f} %  {:>10.1f}\n",
+            measured.name, measured.edge, name_of(measured.precision), measured.mlups,
+            100.0 * measured.mlups / limit.bandwidth_mlups, 100.0 * measured.mlups / limit.streaming_mlups,
+            100.0 * measured.interface_fraction, measured.bytes_per_cell);
     }
     return text;
 }
@@ -59,6 +59,7 @@ std::string bench_json(const BenchReport& report) {
                                  {"instruction_set", measured.instruction_set},
                                  {"mlups", measured.mlups},
                                  {"interface_fraction", measured.interface_fraction},
+                                 {"bytes_per_cell", measured.bytes_per_cell},
                                  {"over_bandwidth", measured.mlups / limit.bandwidth_mlups},
                                  {"over_streaming", measured.mlups / limit.streaming_mlups}});
     }

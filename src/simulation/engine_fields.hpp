@@ -58,7 +58,7 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const {
     const auto holds = [](const std::vector<std::uint8_t>& bits, std::int64_t cell) {
         return (bits[static_cast<std::size_t>(cell / tile_width)] >> (cell % tile_width) & 1) != 0;
     };
-    const auto layer_value = [&](const std::vector<Real>& array, std::int64_t cell) {
+    const auto layer_value = [&](const std::span<Real>& array, std::int64_t cell) {
         const std::int32_t slot = layer_.band().slot_of_tile(cell / tile_width);
         return static_cast<double>(array[static_cast<std::size_t>(slot + cell % tile_width)]);
     };
@@ -68,12 +68,12 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const {
         fill([&](std::int64_t cell, double* out) {
             if (!holds(known, cell))
                 return;
-            for (const std::vector<Real>& component : components)
+            for (const std::span<Real> component : components)
                 *out++ = layer_value(component, cell);
         });
     };
-    const auto alone = [](const std::vector<Real>& array) {
-        return std::span<const std::vector<Real>>(&array, 1);
+    const auto alone = [](std::span<Real> array) {
+        return std::array<std::span<Real>, 1>{array};
     };
     const LayerFields<Real>& layer = layer_.fields();
     if (name == "phase") {
@@ -102,7 +102,7 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const {
                 out[a] = F[a];
         });
     } else if (name == "normal") {
-        fill_level(reach::colour, std::span<const std::vector<Real>>(layer.n));
+        fill_level(reach::colour, layer.n);
     } else if (name == "mean_curvature") {
         fill_level(reach::curvature, alone(layer.H0));
     } else if (name == "gaussian_curvature") {

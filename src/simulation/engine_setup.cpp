@@ -1,6 +1,7 @@
 #include "simulation/engine_setup.hpp"
 
 #include "collision/relaxation.hpp"
+#include "core/input_error.hpp"
 #include "measure/layer_moment.hpp"
 #include "shape/shape.hpp"
 
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace vesica {
 
@@ -77,9 +80,14 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     if (parameters.vesicles.empty())
         return setup;
 
-    const VesicleParameters& vesicle = parameters.vesicles.front();
-    const VesicleType& type = parameters.types.at(vesicle.type);
-    const std::shared_ptr<const Shape> shape = make_shape(vesicle);
+    // Vesicles of one kind share a colour and, but for the area, know nothing of each other's membranes.
+    const VesicleType& type = parameters.types.at(parameters.vesicles.front().type);
+    std::vector<InitialColours::Placed> shapes;
+    for (const VesicleParameters& vesicle : parameters.vesicles)
+        shapes.push_back({make_shape(vesicle), vesicle.centre});
+    if (shapes.size() > 1 && !std::holds_alternative<NoConstraint>(type.area.constraint))
+        throw InputError("several vesicles share one area constraint; expected constraint = \"none\"");
+    const std::shared_ptr<const Shape>& shape = shapes.front().shape;
     setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity * type.viscosity_ratio);
     setup.bending_modulus = type.bending.modulus;
     if (const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form))
@@ -93,8 +101,7 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     setup.membrane.target.ramp = type.area.ramp;
     setup.membrane.area = area_law(type, radius, fluid.density * fluid.kinematic_viscosity,
                                    fluid.kinematic_viscosity, setup.membrane.target.final / sphere - 1.0);
-    setup.centre = vesicle.centre;
-    setup.colours = std::make_shared<const InitialColours>(Grid(parameters.size), shape, vesicle.centre,
+    setup.colours = std::make_shared<const InitialColours>(Grid(parameters.size), std::move(shapes),
                                                            fluid.segregation, parameters.numerics.cutoff);
     return setup;
 }

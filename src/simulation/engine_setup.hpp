@@ -35,7 +35,6 @@ struct EngineSetup {
     double bending_modulus = 0.0;
     Membrane membrane;
     std::shared_ptr<const InitialColours> colours; ///< null: one fluid
-    Vec3<double> centre{};                         ///< where the vesicle starts
     Precision precision = Precision::double_precision;
     int threads = 1;
     std::string_view instruction_set;

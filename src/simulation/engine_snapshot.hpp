@@ -54,7 +54,7 @@ template <class Real>
 void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot& vesicle) const {
     const LayerFields<Real>& fields = layer_.fields();
     for (const BandTile& t : layer_.band().tiles()) {
-        const auto lanes = [&](const std::vector<Real>& a) {
+        const auto lanes = [&](const std::span<Real>& a) {
             return detail::LaneValues<Real>(V::load(a.data() + t.slot()));
         };
         const auto chi = lanes(fields.chi);

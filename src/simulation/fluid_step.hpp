@@ -8,6 +8,7 @@
 #include "parallel/for_each.hpp"
 #include "parallel/pack.hpp"
 #include "simulation/engine_setup.hpp"
+#include "simulation/row_schedule.hpp"
 
 namespace vesica {
 
@@ -20,7 +21,7 @@ struct LayerInfluence {
     FieldView<const Real> force;
     bool contrast = false; ///< inner and outer viscosity differ
     const std::int32_t* colour_slot = nullptr;
-    const Real* chi = nullptr;
+    const Real* red = nullptr;            ///< rho_R/rho there
     const std::uint8_t* inside = nullptr; ///< per tile: bit k set where cell k, outside the band, is red
 };
 
@@ -34,7 +35,8 @@ template <class V>
     return V(1) / (V(0.5) + V(1) / inverse_excess);
 }
 
-/// Collides every cell and streams it, in place, in one pass over the box.
+/// Collides every cell and streams it, in place, in one pass over the box. Whoever needs the populations of
+/// the new state is told, row by row, as soon as they have settled: settled(thread, first row, last row).
 template <class Real, class Collision>
 class FluidStep {
 public:
@@ -50,24 +52,33 @@ public:
           rates_(rates),
           rho0_(reference_density) {}
 
-    void operator()(Streaming streaming, const LayerInfluence<Real>& layer, int threads) const {
+    template <class Settled>
+    void operator()(Streaming streaming, const LayerInfluence<Real>& layer, int threads,
+                    const Settled& settled) const {
         if (streaming == Streaming::arrived)
-            step<Streaming::arrived>(layer, threads);
+            step<Streaming::arrived>(layer, threads, settled);
         else
-            step<Streaming::turned>(layer, threads);
+            step<Streaming::turned>(layer, threads, settled);
     }
 
 private:
-    template <Streaming streaming>
-    void step(const LayerInfluence<Real>& layer, int threads) const {
+    template <Streaming streaming, class Settled>
+    void step(const LayerInfluence<Real>& layer, int threads, const Settled& settled) const {
         const Vec3<int> size = grid_.size();
-        const std::int64_t rows = std::int64_t{size.y} * size.z;
-        for_each_index(rows, threads, [&](std::int64_t k) {
-            const int y = static_cast<int>(k % size.y);
-            const int z = static_cast<int>(k / size.y);
-            step_row<streaming>(grid_.index(0, y, z), layer);
-            if constexpr (streaming == Streaming::arrived)
-                boundary_.publish_row(y, z);
+        const RowSchedule schedule(size, layer.force_slot != nullptr ? rows_in_cache() : size.y);
+        for_each_block(schedule.rows(), threads, [&](int thread, std::int64_t begin, std::int64_t end) {
+            schedule.in_turn(
+                begin, end,
+                [&](std::int64_t row, std::int64_t next) {
+                    step_row<streaming>(first_cell(row), first_cell(next), layer);
+                    if constexpr (streaming == Streaming::arrived)
+                        boundary_.publish_row(y_of(row), z_of(row));
+                },
+                [&](std::int64_t first, std::int64_t last) {
+                    if constexpr (streaming == Streaming::turned)
+                        collect_rows(first, last);
+                    settled(thread, first, last);
+                });
         });
         if constexpr (streaming == Streaming::arrived) {
             for_each_index(size.z, threads,
@@ -79,20 +90,45 @@ private:
                            [&](std::int64_t y) { boundary_.collect_z(static_cast<int>(y) - 1); });
             for_each_index(size.z, threads,
                            [&](std::int64_t z) { boundary_.collect_y(static_cast<int>(z)); });
-            for_each_index(rows, threads, [&](std::int64_t k) {
-                boundary_.collect_row(static_cast<int>(k % size.y), static_cast<int>(k / size.y));
-            });
         }
+        for_each_block(schedule.rows(), threads, [&](int thread, std::int64_t begin, std::int64_t end) {
+            schedule.left_over(begin, end, [&](std::int64_t first, std::int64_t last) {
+                if constexpr (streaming == Streaming::turned)
+                    collect_rows(first, last);
+                settled(thread, first, last);
+            });
+        });
+    }
+
+    int y_of(std::int64_t row) const { return static_cast<int>(row % grid_.size().y); }
+    int z_of(std::int64_t row) const { return static_cast<int>(row / grid_.size().y); }
+    std::int64_t first_cell(std::int64_t row) const { return grid_.index(0, y_of(row), z_of(row)); }
+
+    void collect_rows(std::int64_t first, std::int64_t last) const {
+        for (std::int64_t row = first; row < last; ++row)
+            boundary_.collect_row(y_of(row), z_of(row));
+    }
+
+    /// Rows of which three planes fit in a core's second-level cache, of a megabyte or two these days.
+    int rows_in_cache() const {
+        constexpr std::int64_t cache = 1'000'000;
+        const std::int64_t row_bytes =
+            std::int64_t{direction_count} * grid_.row_stride() * std::int64_t{sizeof(Real)};
+        return static_cast<int>(std::clamp<std::int64_t>(cache / (3 * row_bytes), 4, grid_.size().y));
     }
 
     /// The default collision has a text of its own for cells without a force; for the others one text is
     /// enough.
     static constexpr bool without_force_is_faster = std::is_same_v<Collision, RegularisedCollision>;
 
+    /// The machine foresees long runs of memory only: meanwhile it is asked for the row that comes next.
     template <Streaming streaming>
-    void step_row(std::int64_t first, const LayerInfluence<Real>& layer) const {
+    void step_row(std::int64_t first, std::int64_t next_first, const LayerInfluence<Real>& layer) const {
+        constexpr int cells_per_line = 64 / static_cast<int>(sizeof(Real));
         for (int x = 0; x < grid_.size().x; x += tile_width) {
             const std::int64_t cell = first + x;
+            if (x % cells_per_line == 0)
+                f_.template fetch<streaming>(next_first + x);
             const std::int64_t tile = cell / tile_width;
             const V rate = layer.contrast ? local_rate(tile, layer) : V(rates_.outer);
             const std::int32_t slot = layer.force_slot != nullptr ? layer.force_slot[tile] : -1;
@@ -111,7 +147,7 @@ private:
     V local_rate(std::int64_t tile, const LayerInfluence<Real>& layer) const {
         const std::int32_t slot = layer.colour_slot[tile];
         if (slot >= 0)
-            return rate_between(rates_, red_fraction(V::load(layer.chi + slot)));
+            return rate_between(rates_, V::load(layer.red + slot));
         return select<Real>(V::mask(layer.inside[tile]), V(rates_.inner), V(rates_.outer));
     }
 

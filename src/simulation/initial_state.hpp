@@ -11,11 +11,16 @@
 
 namespace vesica {
 
-/// The colours a run starts from: phi = -tanh(beta s) about a shape's surface, in a periodic box.
+/// The colours a run starts from: phi = -tanh(beta s), s the distance from the nearest shape's surface, in a
+/// periodic box.
 class InitialColours {
 public:
-    InitialColours(const Grid& grid, std::shared_ptr<const Shape> shape, const Vec3<double>& centre,
-                   double beta, double cutoff);
+    struct Placed {
+        std::shared_ptr<const Shape> shape;
+        Vec3<double> centre;
+    };
+
+    InitialColours(const Grid& grid, std::vector<Placed> shapes, double beta, double cutoff);
 
     /// Cells whose 1 - phi^2 exceeds the cutoff.
     const std::vector<Band::Seed>& core() const { return core_; }
@@ -25,11 +30,10 @@ public:
     double chi_at(std::int64_t cell) const;
 
 private:
-    double distance(const Vec3<int>& cell) const;
+    double distance(const Vec3<int>& cell, double far) const;
 
     Grid grid_;
-    std::shared_ptr<const Shape> shape_;
-    Vec3<double> centre_;
+    std::vector<Placed> shapes_;
     double beta_;
     std::vector<Band::Seed> core_;
     std::vector<std::uint8_t> inside_;

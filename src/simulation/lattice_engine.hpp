@@ -7,6 +7,7 @@
 #include "simulation/engine_setup.hpp"
 #include "simulation/fluid_step.hpp"
 #include "simulation/layer_placement.hpp"
+#include "simulation/layer_transport.hpp"
 #include "simulation/step_profile.hpp"
 
 #include <optional>
@@ -76,9 +77,8 @@ public:
     }
 
     void step() override {
-        collide_and_stream(); // feeling the membrane's force
+        collide_and_stream(); // feeling the membrane's force; the colours are carried along
         if (!layer_.empty()) {
-            carry_colours();  // along with the fluid, segregated
             locate_surface(); // where it is, how large it is
             find_geometry();  // normals, curvatures
             push_fluid();     // bending, tension, the area's constraint
@@ -107,11 +107,6 @@ private:
         double density = 1.0;
     };
 
-    void carry_colours() {
-        clock_.enter(StepPart::transport);
-        layer_.transport(f_, streaming_, setup_.threads);
-    }
-
     void locate_surface() {
         clock_.enter(StepPart::locate);
         layer_.locate(setup_.threads);
@@ -139,8 +134,20 @@ private:
 
     void collide_and_stream() {
         clock_.begin(StepPart::fluid);
-        std::visit([&](const auto& fluid) { fluid(streaming_, influence(), setup_.threads); }, fluid_);
-        streaming_ = after_step(streaming_);
+        layer_.begin_transport(setup_.threads);
+        const Streaming streamed = after_step(streaming_);
+        const auto carry_colours = [&](int thread, std::int64_t first_row, std::int64_t last_row) {
+            const bool timed = thread == 0 && !layer_.empty(); // one thread speaks for all
+            if (timed)
+                clock_.enter(StepPart::transport);
+            layer_.transport_rows(f_, streamed, thread, first_row, last_row);
+            if (timed)
+                clock_.enter(StepPart::fluid);
+        };
+        std::visit([&](const auto& fluid) { fluid(streaming_, influence(), setup_.threads, carry_colours); },
+                   fluid_);
+        layer_.end_transport();
+        streaming_ = streamed;
         ++step_;
     }
 
@@ -162,7 +169,7 @@ private:
         influence.force = layer_.force().view();
         influence.contrast = setup_.rates.inner != setup_.rates.outer;
         influence.colour_slot = layer_.colour_slots().data();
-        influence.chi = layer_.fields().chi.data();
+        influence.red = layer_.fields().red.data();
         influence.inside = layer_.inside().data();
         return influence;
     }

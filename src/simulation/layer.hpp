@@ -28,6 +28,17 @@ struct LayerSums {
     double square_mean_curvature = 0.0; ///< int H^2 dA
 };
 
+/// What a thread's share of a transport amounts to; on a cache line of its own.
+struct alignas(64) TransportSums {
+    LaneSum<50> leaked; ///< red that left the band, in cells' worth of fluid
+    LaneSum<38> layer;  ///< 1 - phi^2
+
+    void merge(const TransportSums& other) {
+        leaked.merge(other.leaked);
+        layer.merge(other.layer);
+    }
+};
+
 /// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step
 /// is transport, locate, normals, curvatures, slopes, forces, each a pass over the tiles of its level.
 template <class Real>
@@ -83,16 +94,15 @@ public:
             }
     }
 
-    /// The colours move with the populations that have just been streamed.
-    void transport(const PopulationView<Real>& f, Streaming streaming, int threads) {
-        if (streaming == Streaming::arrived)
-            transport_from<Streaming::arrived>(f, threads);
-        else
-            transport_from<Streaming::turned>(f, threads);
-        std::swap(fields_.chi, fields_.next);
-    }
+    /// The colours move with the populations that are being streamed: between begin_transport() and
+    /// end_transport() every row of the box is handed in once, when its populations have settled. Rows are
+    /// numbered y + size.y z; threads do not meet.
+    void begin_transport(int threads);
+    void transport_rows(const PopulationView<Real>& f, Streaming streaming, int thread, std::int64_t first,
+                        std::int64_t last);
+    void end_transport();
 
-    /// Density of every cell that needs it, from the populations; transport() does the same on its way.
+    /// Density of every cell that needs it, from the populations; transport does the same on its way.
     void weigh(const PopulationView<Real>& f, Streaming streaming, int threads) {
         for_tiles(reach::receiving, threads, [&](const BandTile& t) {
             V g[direction_count];
@@ -109,6 +119,7 @@ public:
             1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
         const V correction = V(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
         std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
+        std::vector<std::uint8_t> left(static_cast<std::size_t>(threads), 0);
         core_bits_.resize(band_.tiles().size());
         for_tiles(Band::outermost, threads, [&](const BandTile& t, std::size_t index, int thread) {
             const V density = V::load(fields_.density.data() + t.slot());
@@ -120,23 +131,22 @@ public:
                 with_sign_bit<Real>(sign_bit(chi), chi + correction * layer_density(chi) / density);
             chi = select<Real>(holds_both, corrected, chi);
             chi.store(fields_.chi.data() + t.slot());
+            red_fraction(chi).store(fields_.red.data() + t.slot());
+            blue_fraction(chi).store(fields_.blue.data() + t.slot());
             signed_distance_of(chi, V(purest), settings_.beta).store(fields_.s.data() + t.slot());
             spread_force_.profile(phase_of(chi)).store(fields_.psi.data() + t.slot());
             const V layer = layer_density(chi);
             area[at(thread)].add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
             core_bits_[index] = bits_of((layer > V(settings_.cutoff)) & holds_both);
+            left[at(thread)] |= static_cast<std::uint8_t>(core_bits_[index] & ~t.bits[reach::force]);
         });
         sums_.raw_area = merged(area);
+        core_has_left_ = std::any_of(left.begin(), left.end(), [](std::uint8_t bits) { return bits != 0; });
         leaked_ = 0.0;
-        exchange({&fields_.chi, &fields_.s, &fields_.psi});
+        exchange({fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi}, threads);
     }
 
-    bool core_has_left() const {
-        for (std::size_t k = 0; k < core_bits_.size(); ++k)
-            if ((core_bits_[k] & ~band_.tiles()[k].bits[reach::force]) != 0)
-                return true;
-        return false;
-    }
+    bool core_has_left() const { return core_has_left_; }
 
     /// Lays the band out around where the core is now. Colours stay; what the band lets go of is given back
     /// by the next locate().
@@ -146,10 +156,9 @@ public:
     void normals(int threads) {
         if (mapped()) {
             for_tiles(reach::receiving, threads, [&](const BandTile& t) { // normals differentiate it
-                sharpened<V>(TileAround<Real>{fields_.s.data(), t.rows}, 1.0)
-                    .store(fields_.sharp.data() + t.slot());
+                sharpened<V>(around(fields_.s, t), 1.0).store(fields_.sharp.data() + t.slot());
             });
-            exchange({&fields_.sharp});
+            exchange({fields_.sharp}, threads);
         }
         for_tiles(reach::colour, threads, [&](const BandTile& t) {
             const Vec3<V> n = unit_vector(outward_gradient(t));
@@ -158,7 +167,8 @@ public:
             store(n, fields_.n, t);
             store(segregation_flux(chi, density, n, settings_.beta), fields_.w, t);
         });
-        exchange({&fields_.n[0], &fields_.n[1], &fields_.n[2], &fields_.w[0], &fields_.w[1], &fields_.w[2]});
+        exchange({fields_.n[0], fields_.n[1], fields_.n[2], fields_.w[0], fields_.w[1], fields_.w[2]},
+                 threads);
     }
 
     /// H and K from the normals' derivatives, mapped to phi = 0.
@@ -172,7 +182,8 @@ public:
             const Curvatures<V> here = mapped() ? curvatures_of(G, n) : paper_curvatures_of(G, n);
             const Curvatures<V> surface = mapped() ? map_to_mid_surface(here, s) : here;
             surface.H.store(fields_.raw_H0.data() + t.slot());
-            surface.H.store(fields_.H0.data() + t.slot());
+            if (!mapped())
+                surface.H.store(fields_.H0.data() + t.slot());
             surface.K.store(fields_.K0.data() + t.slot());
             (mapped() ? area_to_mid_surface(here, s) : V(1)).store(fields_.J.data() + t.slot());
             const V weight = V(0.5 * settings_.beta) * layer_density(V::load(fields_.chi.data() + t.slot()));
@@ -182,39 +193,39 @@ public:
         });
         sums_.gaussian_curvature = merged(gaussian);
         sums_.square_mean_curvature = merged(square);
-        exchange({&fields_.raw_H0});
+        exchange({fields_.raw_H0}, threads);
         if (!mapped())
             return;
         for_tiles(reach::curvature, threads, [&](const BandTile& t) {
-            const TileAround<Real> H{fields_.raw_H0.data(), t.rows};
+            const TileAround<Real> H = around(fields_.raw_H0, t);
             sharpened<V>(H, 1.0).store(fields_.H0.data() + t.slot());    // the derivative that made H of n
             sharpened<V>(H, 3.0).store(fields_.sharp.data() + t.slot()); // and the two that make Lap_s H of H
         });
-        exchange({&fields_.sharp});
+        exchange({fields_.sharp}, threads);
     }
 
     /// grad H0 along the surface.
     void slopes(int threads) {
         for_tiles(reach::slope, threads, [&](const BandTile& t) {
             if (!mapped()) {
-                store(gradient<V>(TileAround<Real>{fields_.raw_H0.data(), t.rows}), fields_.g, t);
+                store(gradient<V>(around(fields_.raw_H0, t)), fields_.g, t);
                 return;
             }
             const Vec3<V> n = load(fields_.n, t);
-            const Vec3<V> g = tangential(gradient<V>(TileAround<Real>{fields_.sharp.data(), t.rows}), n);
+            const Vec3<V> g = tangential(gradient<V>(around(fields_.sharp, t)), n);
             const V s = V::load(fields_.s.data() + t.slot());
             const V J = V::load(fields_.J.data() + t.slot());
             store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, J), fields_.g, t);
         });
-        exchange({&fields_.g[0], &fields_.g[1], &fields_.g[2]});
+        exchange({fields_.g[0], fields_.g[1], fields_.g[2]}, threads);
     }
 
-    V laplace_beltrami_of_H(const BandTile& t) const {
+    VESICA_INLINE V laplace_beltrami_of_H(const BandTile& t) const {
         const Vec3<V> n = load(fields_.n, t);
         const Jacobian<V> d = jacobian<V>(around(fields_.g, t));
         if (mapped())
             return surface_divergence(d, n) / V::load(fields_.J.data() + t.slot());
-        const TileAround<Real> H{fields_.raw_H0.data(), t.rows};
+        const TileAround<Real> H = around(fields_.raw_H0, t);
         return paper_laplace_beltrami(laplacian<V>(H), d, load(fields_.g, t), n, H(Direction<0>{}));
     }
 
@@ -224,11 +235,11 @@ public:
                    membrane.bending);
     }
 
-    Vec3<V> phase_gradient(const BandTile& t) const {
+    VESICA_INLINE Vec3<V> phase_gradient(const BandTile& t) const {
         return gradient<V>(PhaseAround<Real>{{fields_.chi.data(), t.rows}});
     }
 
-    VESICA_INLINE static Vec3<V> load(const std::vector<Real> (&a)[3], const BandTile& t) {
+    VESICA_INLINE static Vec3<V> load(const std::span<Real> (&a)[3], const BandTile& t) {
         return {V::load(a[0].data() + t.slot()), V::load(a[1].data() + t.slot()),
                 V::load(a[2].data() + t.slot())};
     }
@@ -241,7 +252,7 @@ private:
             const V H = V::load(fields_.H0.data() + t.slot());
             const V K = V::load(fields_.K0.data() + t.slot());
             const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
-            const Vec3<V> slope = gradient<V>(TileAround<Real>{fields_.psi.data(), t.rows});
+            const Vec3<V> slope = gradient<V>(around(fields_.psi, t));
             const Vec3<V> F = spread_force_(slope, normal_force);
             const auto here = V::mask(t.bits[reach::force]);
             select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
@@ -261,7 +272,7 @@ private:
         return static_cast<std::uint8_t>(bits);
     }
 
-    V density_of(const V (&g)[direction_count]) const {
+    VESICA_INLINE V density_of(const V (&g)[direction_count]) const {
         V sum = g[0];
         for_each_pair([&](auto i) VESICA_INLINE_LAMBDA { sum += g[i] + g[opposite(decltype(i)::value)]; });
         return V(settings_.reference_density) + sum;
@@ -272,50 +283,14 @@ private:
     }
 
     template <Streaming streaming>
-    void transport_from(const PopulationView<Real>& f, int threads) {
-        std::vector<LaneSum<50>> leaked(static_cast<std::size_t>(threads));
-        std::vector<LaneSum<38>> layer(static_cast<std::size_t>(threads));
-        // Exact sums have a range: amounts are counted in cells' worth of fluid, whatever its density.
-        const V per_reference = V(1.0 / settings_.reference_density);
-        const Vec3<const Real*> w{fields_.w[0].data(), fields_.w[1].data(), fields_.w[2].data()};
-        for_tiles(reach::receiving, threads, [&](const BandTile& t, std::size_t index, int thread) {
-            // The band's tiles lie scattered, in runs too short for the machine to foresee.
-            const std::size_t ahead = std::min(index + 3, band_.tiles().size() - 1);
-            f.template fetch<streaming>(band_.tiles()[ahead].cell, tile_width);
-            V g[direction_count];
-            for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
-                g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
-            });
-            const ColourDensities<V> arrived =
-                gather_colours(g, V(settings_.reference_density),
-                               TileAround<Real>{fields_.chi.data(), t.rows}, FluxAround<Real>{w, t.rows});
-            const V density = density_of(g);
-            const auto blue_is_minor = arrived.blue < arrived.red;
-            const V minority = smaller(arrived.red, arrived.blue);
-            const V kept = larger(minority, V(0));
-            const auto holds_both = V::mask(t.bits[reach::colour]);
-            const auto received = V::mask(t.bits[reach::receiving]);
-            const V stays = select<Real>(holds_both, kept, V(0));
-            const V gone = minority - stays;
-            const V lost = per_reference * select<Real>(blue_is_minor, -gone, gone);
-            leaked[at(thread)].add(select<Real>(received, lost, V(0)));
-            const V chi = with_sign_bit<Real>(blue_is_minor, stays / density);
-            layer[at(thread)].add(select<Real>(holds_both, layer_density(chi), V(0)));
-            select<Real>(received, chi, V::load(fields_.chi.data() + t.slot()))
-                .store(fields_.next.data() + t.slot());
-            density.store(fields_.density.data() + t.slot());
-        });
-        // Cells of the outermost level never change: they carry over.
-        for (const BandTile& t : band_.tiles())
-            if (t.bits[reach::receiving] == 0)
-                std::copy_n(fields_.chi.data() + t.slot(), tile_width, fields_.next.data() + t.slot());
-        leaked_ += settings_.reference_density * merged(leaked);
-        layer_sum_ = merged(layer);
-    }
+    void transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
+                         TransportSums& sums);
+    template <Streaming streaming>
+    VESICA_INLINE void transport_tile(const PopulationView<Real>& f, const BandTile& t, TransportSums& sums);
 
-    Vec3<V> outward_gradient(const BandTile& t) const {
+    VESICA_INLINE Vec3<V> outward_gradient(const BandTile& t) const {
         if (mapped())
-            return gradient<V>(TileAround<Real>{fields_.sharp.data(), t.rows});
+            return gradient<V>(around(fields_.sharp, t));
         return -phase_gradient(t);
     }
 
@@ -326,6 +301,7 @@ private:
     }
 
     void lay_out(const std::vector<Band::Seed>& core);
+    void number_rows();
 
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
@@ -339,13 +315,16 @@ private:
         return total.value();
     }
 
-    VESICA_INLINE static void store(const Vec3<V>& value, std::vector<Real> (&a)[3], const BandTile& t) {
+    VESICA_INLINE static void store(const Vec3<V>& value, std::span<Real> (&a)[3], const BandTile& t) {
         value.x.store(a[0].data() + t.slot());
         value.y.store(a[1].data() + t.slot());
         value.z.store(a[2].data() + t.slot());
     }
 
-    VESICA_INLINE static Vec3<TileAround<Real>> around(const std::vector<Real> (&a)[3], const BandTile& t) {
+    VESICA_INLINE static TileAround<Real> around(const std::span<Real>& a, const BandTile& t) {
+        return {a.data(), t.rows};
+    }
+    VESICA_INLINE static Vec3<TileAround<Real>> around(const std::span<Real> (&a)[3], const BandTile& t) {
         return {{a[0].data(), t.rows}, {a[1].data(), t.rows}, {a[2].data(), t.rows}};
     }
 
@@ -367,12 +346,16 @@ private:
     }
 
     /// Ghost cells of the band take the values of the cells they mirror.
-    void exchange(std::initializer_list<std::vector<Real>*> arrays) {
-        if (band_.ghost_copies().empty())
+    void exchange(std::initializer_list<std::span<Real>> arrays, int threads) {
+        const std::vector<Band::GhostCopy>& copies = band_.ghost_copies();
+        if (copies.empty())
             return;
-        for (std::vector<Real>* array : arrays)
-            for (const Band::GhostCopy& copy : band_.ghost_copies())
-                (*array)[at(copy.to)] = (*array)[at(copy.from)];
+        for_each_block(static_cast<std::int64_t>(copies.size()), threads,
+                       [&](int, std::int64_t begin, std::int64_t end) {
+                           for (const std::span<Real>& array : arrays)
+                               for (std::int64_t k = begin; k < end; ++k)
+                                   array[at(copies[at(k)].to)] = array[at(copies[at(k)].from)];
+                       });
     }
 
     LayerSettings settings_;
@@ -387,6 +370,10 @@ private:
         colour_slots_; ///< per tile: of colours, -1 for tiles addressed for ghosts alone
     std::vector<Band::Seed> laid_out_core_;
     std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
+    bool core_has_left_ = false;          ///< one of them lies where there is no room for a force
+    std::vector<std::int32_t>
+        row_begins_; ///< per row of the box: its first tile in the receiving level's list
+    std::vector<TransportSums> transport_sums_; ///< per thread
     LayerSums sums_;
     double leaked_ = 0.0;    ///< red mass to be given back
     double layer_sum_ = 0.0; ///< sum (1 - phi^2) it is shared by

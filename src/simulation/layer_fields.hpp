@@ -1,20 +1,25 @@
 #pragma once
 
 #include "lattice/band.hpp"
+#include "lattice/field.hpp"
 #include "parallel/pack.hpp"
 
+#include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace vesica {
 
-/// Everything that is known only near an interface, one number per compact address of the band.
+/// Everything that is known only near an interface, one number per compact address of the band. The arrays
+/// are the components of one field: were each allocated for itself, all would begin at a page, and the same
+/// cell's values would contend for one set of the cache.
 template <class Real>
 struct LayerFields {
-    using Array = std::vector<Real>;
+    using Array = std::span<Real>;
 
     Array chi;     ///< signed minority fraction (colour/phase.hpp)
-    Array next;    ///< chi after streaming
+    Array red;     ///< rho_R/rho and
+    Array blue;    ///< rho_B/rho before streaming: a small fraction keeps its digits in both
     Array density; ///< rho
     Array s;       ///< signed distance to phi = 0
     Array psi;     ///< the force's profile across the layer (membrane/layer_force.hpp)
@@ -28,22 +33,23 @@ struct LayerFields {
     Array J;    ///< area of phi = 0 per area of the parallel surface
     Array g[3]; ///< surface gradient of H0, mapped to phi = 0 (whole gradient with the paper's geometry)
 
-    /// Arrays are reused; memory grows only.
+    /// All zero. Memory is reused and grows only.
     void resize(std::int64_t size) {
-        for_each_array([size](Array& array) { array.assign(static_cast<std::size_t>(size), Real(0)); });
+        if (memory_.stride() < size)
+            memory_ = Field<Real>(array_count, memory_.stride() == 0 ? size : size + size / 8);
+        int component = 0;
+        for_each_array([&](Array& array) {
+            array = Array(memory_.view().component(component++), static_cast<std::size_t>(size));
+            std::fill(array.begin(), array.end(), Real(0));
+        });
     }
 
-    std::size_t bytes() const {
-        std::size_t sum = 0;
-        const_cast<LayerFields*>(this)->for_each_array(
-            [&sum](Array& array) { sum += array.capacity() * sizeof(Real); });
-        return sum;
-    }
+    std::size_t bytes() const { return memory_.bytes(); }
 
 private:
     template <class Body>
     void for_each_array(const Body& body) {
-        for (Array* array : {&chi, &next, &density, &s, &psi, &sharp, &raw_H0, &H0, &K0, &J})
+        for (Array* array : {&chi, &red, &blue, &density, &s, &psi, &sharp, &raw_H0, &H0, &K0, &J})
             body(*array);
         for (int a = 0; a < 3; ++a) {
             body(n[a]);
@@ -51,6 +57,9 @@ private:
             body(g[a]);
         }
     }
+
+    static constexpr int array_count = 20;
+    Field<Real> memory_;
 };
 
 /// The value of a compact array in a tile's cells shifted by a lattice link.
@@ -77,33 +86,16 @@ struct PhaseAround {
     }
 };
 
-/// c_i.w of the neighbour a population came from: i is the opposite of the direction asked for.
+/// The fraction of one colour around, chosen by the cell in the middle.
 template <class Real>
-struct FluxAround {
-    Vec3<const Real*> w;
-    const std::int32_t* rows;
+struct MinorityAround {
+    typename Pack<Real>::Mask blue_is_minor;
+    TileAround<Real> red;
+    TileAround<Real> blue;
 
-    template <int from>
-    VESICA_INLINE Pack<Real> operator()(Direction<from> direction) const {
-        Pack<Real> sum(0);
-        for_each_component<from>(direction, sum, std::make_integer_sequence<int, 3>{});
-        return sum;
-    }
-
-private:
-    template <int from, int... axis>
-    VESICA_INLINE void for_each_component(Direction<from> direction, Pack<Real>& sum,
-                                          std::integer_sequence<int, axis...>) const {
-        (add<velocity(from, axis)>(TileAround<Real>{w[axis], rows}, direction, sum), ...);
-    }
-
-    template <int towards, int from>
-    VESICA_INLINE static void add(const TileAround<Real>& component, Direction<from> direction,
-                                  Pack<Real>& sum) {
-        if constexpr (towards == -1)
-            sum += component(direction);
-        if constexpr (towards == 1)
-            sum -= component(direction);
+    template <int i>
+    VESICA_INLINE Pack<Real> operator()(Direction<i> direction) const {
+        return select<Real>(blue_is_minor, blue(direction), red(direction));
     }
 };
 

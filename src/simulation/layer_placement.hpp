@@ -2,6 +2,8 @@
 
 #include "simulation/layer.hpp"
 
+#include <numeric>
+
 namespace vesica {
 
 template <class Real>
@@ -12,8 +14,8 @@ void Layer<Real>::follow_core(const PopulationView<Real>& f, Streaming streaming
             core.push_back({band_.tiles()[k].tile, core_bits_[k]});
 
     const std::vector<BandTile> old_tiles = band_.tiles();
-    const std::vector<Real> old_chi = fields_.chi;
-    const std::vector<Real> old_density = fields_.density;
+    const std::vector<Real> old_chi(fields_.chi.begin(), fields_.chi.end());
+    const std::vector<Real> old_density(fields_.density.begin(), fields_.density.end());
     std::vector<std::int32_t> old_slots(static_cast<std::size_t>(band_.grid().tiles()), -1);
     for (const BandTile& t : old_tiles) {
         old_slots[at(t.tile)] = t.slot();
@@ -54,8 +56,20 @@ void Layer<Real>::lay_out(const std::vector<Band::Seed>& core) {
         const BandTile& t = band_.tiles()[at(index)];
         force_slots_[at(t.tile)] = t.slot();
     }
+    number_rows();
     // The slot that stands for everything outside the band must be harmless.
     std::fill_n(fields_.density.begin(), fields_.density.size(), Real(settings_.reference_density));
+}
+
+template <class Real>
+void Layer<Real>::number_rows() {
+    const Vec3<int> size = band_.grid().size();
+    row_begins_.assign(at(std::int64_t{size.y} * size.z + 1), 0);
+    for (const std::int32_t index : band_.of_level(reach::receiving)) {
+        const Vec3<int> origin = band_.grid().tile_origin(band_.tiles()[at(index)].tile);
+        ++row_begins_[at(origin.y + std::int64_t{size.y} * origin.z + 1)];
+    }
+    std::partial_sum(row_begins_.begin(), row_begins_.end(), row_begins_.begin());
 }
 
 template <class Real>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +18,15 @@ namespace {
 int wrapped(int x, int size) {
     return ((x % size) + size) % size;
 }
+
+/// Values at x + c_i, for whoever asks with a Direction.
+struct Around {
+    std::function<double(int)> value;
+    template <int i>
+    double operator()(Direction<i>) const {
+        return value(i);
+    }
+};
 
 /// Two colours on a periodic box, cell by cell and without hurry: collide, stream, gather. One fluid in
 /// uniform motion or with populations of any kind; what it shows of the colours is the law's own doing.
@@ -91,19 +101,20 @@ struct PlainColours {
             };
             for (int i = 0; i < direction_count; ++i)
                 arrived[here].g[i] = f[there(opposite(i))].g[i];
-            // c_i of the population that comes from x + c_from is -c_from.
-            const auto chi_around = [&](auto from) {
-                return chi[there(decltype(from)::value)];
+            double total = 1.0;
+            for (const double g : arrived[here].g)
+                total += g;
+            const bool blue_is_minor = sign_bit(chi[here]);
+            const auto fraction_around = [&](auto from) {
+                const double other = chi[there(decltype(from)::value)];
+                return blue_is_minor ? blue_fraction(other) : red_fraction(other);
             };
-            const auto flux_around = [&](auto from) {
-                constexpr int i = decltype(from)::value;
-                const Vec3<double>& there_w = w[there(i)];
-                return -(velocity(i, 0) * there_w.x + velocity(i, 1) * there_w.y +
-                         velocity(i, 2) * there_w.z);
+            const auto flux_around = [&](int axis) {
+                return std::function<double(int)>([&, axis](int i) { return w[there(i)][axis]; });
             };
             const ColourDensities<double> colours =
-                gather_colours(arrived[here].g, 1.0, chi_around, flux_around);
-            const double total = colours.red + colours.blue;
+                gather_colours(arrived[here].g, 1.0, total, blue_is_minor, fraction_around,
+                               Vec3<Around>{{flux_around(0)}, {flux_around(1)}, {flux_around(2)}});
             density[here] = total;
             next[here] = colours.blue < colours.red ? -colours.blue / total : colours.red / total;
         });
@@ -183,13 +194,20 @@ TEST_CASE("the two colours together are the fluid: recolouring moves no mass of 
     double sum = 1.0;
     for (double& value : g)
         sum += value = any(random);
-    const auto chi = [](auto i) {
-        return decltype(i)::value % 2 == 0 ? 0.3 : -0.2;
+    const auto fraction = [](auto i) {
+        return decltype(i)::value % 2 == 0 ? 0.3 : 0.8;
     };
-    const auto flux = [](auto i) {
-        return 0.01 * decltype(i)::value;
+    const auto other_fraction = [&](auto i) {
+        return 1.0 - fraction(i);
     };
-    const ColourDensities<double> arrived = gather_colours(g, 1.0, chi, flux);
+    const Around flux{[](int i) {
+        return 0.01 * i;
+    }};
+    const Vec3<Around> w{flux, flux, flux};
+    const ColourDensities<double> arrived = gather_colours(g, 1.0, sum, false, fraction, w);
+    const ColourDensities<double> seen_by_blue = gather_colours(g, 1.0, sum, true, other_fraction, w);
+    CHECK(arrived.red == Approx(seen_by_blue.red).epsilon(1e-14)); // whichever of the two is summed
+    CHECK(arrived.blue == Approx(seen_by_blue.blue).epsilon(1e-14));
     CHECK(arrived.red + arrived.blue == Approx(sum).epsilon(1e-15));
 }
 

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "simulation/layer.hpp"
+
+namespace vesica {
+
+template <class Real>
+void Layer<Real>::begin_transport(int threads) {
+    transport_sums_.assign(static_cast<std::size_t>(threads), {});
+}
+
+template <class Real>
+void Layer<Real>::transport_rows(const PopulationView<Real>& f, Streaming streaming, int thread,
+                                 std::int64_t first, std::int64_t last) {
+    if (empty())
+        return;
+    const std::size_t begin = at(row_begins_[at(first)]);
+    const std::size_t end = at(row_begins_[at(last)]);
+    TransportSums& sums = transport_sums_[at(thread)];
+    if (streaming == Streaming::arrived)
+        transport_tiles<Streaming::arrived>(f, begin, end, sums);
+    else
+        transport_tiles<Streaming::turned>(f, begin, end, sums);
+}
+
+template <class Real>
+template <Streaming streaming>
+void Layer<Real>::transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
+                                  TransportSums& sums) {
+    TransportSums here; // the compiler knows that nothing else refers to it
+    for (std::size_t k = begin; k < end; ++k)
+        transport_tile<streaming>(f, band_.tiles()[at(band_.of_level(reach::receiving)[k])], here);
+    sums.merge(here);
+}
+
+template <class Real>
+template <Streaming streaming>
+VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, const BandTile& t, TransportSums& sums) {
+    V g[direction_count];
+    for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
+        g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
+    });
+    const V density = density_of(g);
+    const V before = V::load(fields_.chi.data() + t.slot());
+    const auto blue_was_minor = sign_bit(before);
+    const ColourDensities<V> arrived = gather_colours(
+        g, V(settings_.reference_density), density, blue_was_minor,
+        MinorityAround<Real>{blue_was_minor, around(fields_.red, t), around(fields_.blue, t)},
+        around(fields_.w, t));
+    const auto blue_is_minor = arrived.blue < arrived.red;
+    const V minority = smaller(arrived.red, arrived.blue);
+    const V kept = larger(minority, V(0));
+    const auto holds_both = V::mask(t.bits[reach::colour]);
+    const auto received = V::mask(t.bits[reach::receiving]);
+    const V stays = select<Real>(holds_both, kept, V(0));
+    const V gone = minority - stays;
+    // Exact sums have a range: amounts are counted in cells' worth of fluid, whatever its density.
+    const V lost = V(1.0 / settings_.reference_density) * select<Real>(blue_is_minor, -gone, gone);
+    sums.leaked.add(select<Real>(received, lost, V(0)));
+    const V chi = with_sign_bit<Real>(blue_is_minor, stays / density);
+    sums.layer.add(select<Real>(holds_both, layer_density(chi), V(0)));
+    select<Real>(received, chi, before).store(fields_.chi.data() + t.slot());
+    density.store(fields_.density.data() + t.slot());
+}
+
+template <class Real>
+void Layer<Real>::end_transport() {
+    TransportSums total;
+    for (const TransportSums& sums : transport_sums_)
+        total.merge(sums);
+    leaked_ += settings_.reference_density * total.leaked.value();
+    layer_sum_ = total.layer.value();
+}
+
+} // namespace vesica
