@@ -30,9 +30,10 @@ endforeach()
 find_program(VESICA_NVCC nvcc HINTS /usr/local/cuda/bin)
 mark_as_advanced(VESICA_NVCC)
 if(VESICA_NVCC)
-    add_test(NAME house.gpu_kernels.compile COMMAND "${VESICA_NVCC}" -std=c++20 --expt-relaxed-constexpr -O1
-        -Werror all-warnings -ccbin "${CMAKE_CXX_COMPILER}" -I "${PROJECT_SOURCE_DIR}/src"
-        "${CMAKE_CURRENT_SOURCE_DIR}/house/kernels.cu" -o "${CMAKE_CURRENT_BINARY_DIR}/gpu_kernels")
+    add_test(NAME house.gpu_kernels.compile COMMAND ${CMAKE_COMMAND} "-DNVCC=${VESICA_NVCC}"
+        "-DCXX_COMPILER=${CMAKE_CXX_COMPILER}" "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}"
+        "-DPROGRAM=${CMAKE_CURRENT_BINARY_DIR}/gpu_kernels"
+        -P "${CMAKE_CURRENT_SOURCE_DIR}/house/compile_gpu_kernels.cmake")
     add_test(NAME house.gpu_kernels.run COMMAND "${CMAKE_CURRENT_BINARY_DIR}/gpu_kernels")
     set_tests_properties(house.gpu_kernels.compile PROPERTIES FIXTURES_SETUP gpu_kernels)
     set_tests_properties(house.gpu_kernels.run PROPERTIES FIXTURES_REQUIRED gpu_kernels)

@@ -72,9 +72,11 @@ struct Jacobian {
     Vec3<V> y;
     Vec3<V> z;
 
-    V divergence() const { return x.x + y.y + z.z; }
+    constexpr V divergence() const { return x.x + y.y + z.z; }
     /// n_i n_j d_j q_i
-    V normal_component(const Vec3<V>& n) const { return n.x * dot(n, x) + n.y * dot(n, y) + n.z * dot(n, z); }
+    constexpr V normal_component(const Vec3<V>& n) const {
+        return n.x * dot(n, x) + n.y * dot(n, y) + n.z * dot(n, z);
+    }
 };
 
 /// `q` gives a Vec3 of neighbourhoods, one per component.

@@ -67,6 +67,13 @@ Parameters fluid(int edge, Precision precision) {
     return parameters;
 }
 
+/// With a rate for every family of ghost modes: the most general collision there is.
+Parameters multiple_rates(int edge, Precision precision) {
+    Parameters parameters = fluid(edge, precision);
+    parameters.fluid.ghosts = SymmetricGhosts{1.2, 1.1, 1.3, 1.4};
+    return parameters;
+}
+
 Parameters discocyte(int edge, Precision precision) {
     Parameters parameters = fluid(edge, precision);
     VesicleType type;
@@ -156,6 +163,9 @@ BenchReport run_bench(const BenchOptions& options) {
                                                                options.seconds, report.instruction_set));
             say("a fluid at rest" + suffix, edge);
             report.cases.push_back(measure_case("fluid", fluid(edge, precision), report.threads, options));
+            say("the same with multiple relaxation times" + suffix, edge);
+            report.cases.push_back(
+                measure_case("mrt", multiple_rates(edge, precision), report.threads, options));
             say("a discocyte" + suffix, edge);
             report.cases.push_back(
                 measure_case("discocyte", discocyte(edge, precision), report.threads, options));

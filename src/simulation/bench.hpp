@@ -45,7 +45,8 @@ struct BenchReport {
     const BenchLimit& limit_of(const BenchCase& measured) const;
 };
 
-/// Measures the standard cases - a fluid at rest, a discocyte of R0 = 20 per 128 cells, a crowd of discocytes
+/// Measures the standard cases - a fluid at rest with the regularised collision and with multiple relaxation
+/// times, a discocyte of R0 = 20 per 128 cells, a crowd of discocytes
 /// of R0 = 18.5 with one in every 64^3 cells, in double and in single precision - and the limits beside them.
 BenchReport run_bench(const BenchOptions& options);
 

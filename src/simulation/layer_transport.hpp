@@ -35,7 +35,8 @@ void Layer<Real>::transport_tiles(const PopulationView<Real>& f, std::size_t beg
 
 template <class Real>
 template <Streaming streaming>
-VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, const BandTile& t, TransportSums& sums) {
+VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, const BandTile& t,
+                                               TransportSums& sums) {
     V g[direction_count];
     for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
         g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
@@ -43,10 +44,10 @@ VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, co
     const V density = density_of(g);
     const V before = V::load(fields_.chi.data() + t.slot());
     const auto blue_was_minor = sign_bit(before);
-    const ColourDensities<V> arrived = gather_colours(
-        g, V(settings_.reference_density), density, blue_was_minor,
-        MinorityAround<Real>{blue_was_minor, around(fields_.red, t), around(fields_.blue, t)},
-        around(fields_.w, t));
+    const ColourDensities<V> arrived =
+        gather_colours(g, V(settings_.reference_density), density, blue_was_minor,
+                       MinorityAround<Real>{blue_was_minor, around(fields_.red, t), around(fields_.blue, t)},
+                       around(fields_.w, t));
     const auto blue_is_minor = arrived.blue < arrived.red;
     const V minority = smaller(arrived.red, arrived.blue);
     const V kept = larger(minority, V(0));

@@ -10,8 +10,8 @@ namespace vesica {
 /// In which order a thread goes through its rows of the box, and when the populations of a row have settled:
 /// as soon as the row and its eight neighbours have been collided and streamed nothing will write there any
 /// more, and whoever reads them finds them still in the cache. Rows are numbered y + size.y z; a thread has
-/// those from `begin` to `end`. Rows at the box's faces settle with the boundary only, and rows beside another
-/// thread's with the slower of the two: they are left over.
+/// those from `begin` to `end`. Rows at the box's faces settle with the boundary only, and rows beside
+/// another thread's with the slower of the two: they are left over.
 class RowSchedule {
 public:
     /// Blocks of `rows_in_block` rows along y, each through all z: three planes of a block are what a cache

@@ -303,12 +303,15 @@ class Bench(Program):
         self.assertEqual(status, 0)
         report = json.loads(out)
         self.assertEqual({(case["name"], case["precision"]) for case in report["cases"]},
-                         {(name, precision) for name in ("fluid", "discocyte") for precision in ("double", "single")})
+                         {(name, precision) for name in ("fluid", "mrt", "discocyte", "crowd")
+                          for precision in ("double", "single")})
         for limit in report["limits"]:
             self.assertGreater(limit["bandwidth_mlups"], 0)
             self.assertGreater(limit["streaming_mlups"], 0)
         for case in report["cases"]:
             self.assertGreater(case["mlups"], 0)
+            self.assertGreater(case["bytes_per_cell"], (152 if case["precision"] == "double" else 76))
+            self.assertEqual(case["interface_fraction"] > 0, case["name"] in ("discocyte", "crowd"))
 
     def test_a_box_too_small_to_measure_is_refused(self):
         self.refused("bench", "--size", 8, saying="--size is 8")

@@ -1,5 +1,5 @@
-// The kernels' own headers on a GPU: the one text of them, with plain numbers for packs. Compiled where nvcc is
-// found, and run where there is a device as well: the numbers must be the processor's.
+// The kernels' own headers on a GPU: the one text of them, with plain numbers for packs. Compiled where nvcc
+// is found, and run where there is a device as well: the numbers must be the processor's.
 #include "collision/regularised.hpp"
 #include "collision/symmetric_mrt.hpp"
 #include "colour/phase.hpp"
@@ -34,8 +34,7 @@ struct Around {
 
 /// Every kernel once; what comes out in `out`.
 template <class Real, class Collision>
-__host__ __device__ void all_kernels(const Collision& collision, Real unit,
-                                                Real (&out)[results]) {
+__host__ __device__ void all_kernels(const Collision& collision, Real unit, Real (&out)[results]) {
     Real g[direction_count] = {};
     Real density = Real(1);
     for (int i = 0; i < direction_count; ++i) {
@@ -43,7 +42,8 @@ __host__ __device__ void all_kernels(const Collision& collision, Real unit,
         density += g[i];
     }
     const Vec3<Around<Real>> field{{0, unit}, {1, unit}, {2, unit}};
-    const ColourDensities<Real> colours = gather_colours(g, Real(1), density, false, Around<Real>{3, unit}, field);
+    const ColourDensities<Real> colours =
+        gather_colours(g, Real(1), density, false, Around<Real>{3, unit}, field);
     const Vec3<Real> n = unit_vector(gradient<Real>(Around<Real>{4, unit}));
     const Jacobian<Real> G = jacobian<Real>(field);
     const Curvatures<Real> here = curvatures_of(G, n);
@@ -52,17 +52,27 @@ __host__ __device__ void all_kernels(const Collision& collision, Real unit,
     const Curvatures<Real> surface = map_to_mid_surface(here, s);
     const Real J = area_to_mid_surface(here, s);
     const Vec3<Real> slope = flux_on_mid_surface(tangential(Vec3<Real>{G.x.x, G.x.y, G.x.z}, n), G, n, s, J);
-    const Real normal_force =
-        HelfrichLaw{0.1, 0.02}.force(surface.H, surface.K, surface_divergence(G, n)) +
-        PaperBendingLaw{0.1, 0.5}.force(surface.H, surface.K, slope.x) + TensionLaw{0.01}.force(surface.H);
+    const Real normal_force = HelfrichLaw{0.1, 0.02}.force(surface.H, surface.K, surface_divergence(G, n)) +
+                              PaperBendingLaw{0.1, 0.5}.force(surface.H, surface.K, slope.x) +
+                              TensionLaw{0.01}.force(surface.H);
     const LayerForce spread(1e-2);
     const Vec3<Real> F = spread(slope, normal_force * spread.profile(phase_of(chi)));
     collision(g, F, Real(1.2), Real(1));
     for (int i = 0; i < direction_count; ++i)
         out[i] = g[i];
     const Vec3<Real> w = segregation_flux(chi, density, n, 0.67);
-    const Real rest[] = {colours.red, colours.blue, surface.H, surface.K, J,   F.x, F.y,
-                         F.z,         w.x,          w.y,       w.z,       sharpened<Real>(Around<Real>{5, unit}, 1.0),
+    const Real rest[] = {colours.red,
+                         colours.blue,
+                         surface.H,
+                         surface.K,
+                         J,
+                         F.x,
+                         F.y,
+                         F.z,
+                         w.x,
+                         w.y,
+                         w.z,
+                         sharpened<Real>(Around<Real>{5, unit}, 1.0),
                          s};
     for (int k = 0; k < results - direction_count; ++k)
         out[direction_count + k] = rest[k];
@@ -88,8 +98,8 @@ int compare(const char* name, const Collision& collision) {
         return 2;
     int wrong = 0;
     for (int k = 0; k < results; ++k)
-        if (!(std::abs(out[k] - expected[k]) <= 32 * std::numeric_limits<Real>::epsilon() *
-                                                     (1 + std::abs(expected[k])))) {
+        if (!(std::abs(out[k] - expected[k]) <=
+              32 * std::numeric_limits<Real>::epsilon() * (1 + std::abs(expected[k])))) {
             std::printf("%s, number %d: %.17g on the device, %.17g here\n", name, k,
                         static_cast<double>(out[k]), static_cast<double>(expected[k]));
             ++wrong;

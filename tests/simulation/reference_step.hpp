@@ -27,6 +27,14 @@ public:
 
     ReferenceStep(const EngineState& state, const Constants& constants)
         : size_(state.size), is_(constants), cells_(state.minority.size()) {
+        for (int i = 0; i < direction_count; ++i) {
+            w_[i] = weight(i);
+            for (int a = 0; a < 3; ++a) {
+                c_[i][a] = velocity(i, a);
+                for (int b = 0; b < 3; ++b)
+                    cc_[i][a][b] = velocity(i, a) * velocity(i, b) - (a == b ? 1.0 / 3.0 : 0.0);
+            }
+        }
         neighbour_.resize(cells_);
         f_.resize(cells_);
         red_.assign(cells_, 0.0);
@@ -66,9 +74,7 @@ public:
     /// f_i - t_i of a cell, cells in canonical order.
     double deviation(int i, std::size_t cell) const { return f_[cell][i] - weight(i); }
     /// Mass fraction of the colour in the minority, with the sign bit where that is blue.
-    double minority(std::size_t cell) const {
-        return blue_[cell] < red_[cell] ? -blue_[cell] : red_[cell];
-    }
+    double minority(std::size_t cell) const { return blue_[cell] < red_[cell] ? -blue_[cell] : red_[cell]; }
     std::size_t layouts() const { return layouts_; }
 
 private:
@@ -149,9 +155,9 @@ private:
             for (int i = 0; i < direction_count; ++i) {
                 rho += f_[c][i];
                 for (int a = 0; a < 3; ++a) {
-                    j[a] += f_[c][i] * link(i, a);
+                    j[a] += f_[c][i] * c_[i][a];
                     for (int b = 0; b <= a; ++b)
-                        P[a][b] += f_[c][i] * stress(i, a, b);
+                        P[a][b] += f_[c][i] * cc_[i][a][b];
                 }
             }
             Vector u{};
@@ -164,17 +170,14 @@ private:
             for (int i = 0; i < direction_count; ++i) {
                 double sum = rho;
                 for (int a = 0; a < 3; ++a) {
-                    sum += 3.0 * (j[a] + F[a]) * link(i, a);
+                    sum += 3.0 * (j[a] + F[a]) * c_[i][a];
                     for (int b = 0; b <= a; ++b)
-                        sum += (a == b ? 4.5 : 9.0) * P[a][b] * stress(i, a, b);
+                        sum += (a == b ? 4.5 : 9.0) * P[a][b] * cc_[i][a][b];
                 }
-                f_[c][i] = weight(i) * sum;
+                f_[c][i] = w_[i] * sum;
             }
         }
     }
-
-    static double link(int i, int a) { return velocity(i, a); }
-    static double stress(int i, int a, int b) { return link(i, a) * link(i, b) - (a == b ? 1.0 / 3.0 : 0.0); }
 
     void stream() {
         std::vector<Populations> streamed(cells_);
@@ -196,7 +199,7 @@ private:
                 const std::size_t from = neighbour_[c][opposite(i)];
                 double separated = 0.0;
                 for (int a = 0; a < 3; ++a)
-                    separated += weight(i) * velocity(i, a) * flux_[from][a];
+                    separated += w_[i] * c_[i][a] * flux_[from][a];
                 reds += red_[from] * f_[c][i] - separated;
                 blues += blue_[from] * f_[c][i] + separated;
             }
@@ -234,8 +237,7 @@ private:
             const bool inside = blue_[c] < red_[c];
             const double minor = std::max(inside ? blue_[c] : red_[c], floor);
             s_[c] = (inside ? -1.0 : 1.0) * std::log((1.0 - minor) / minor) / (2.0 * is_.beta);
-            const double x =
-                std::clamp((red_[c] - blue_[c]) / std::sqrt(1.0 - is_.cutoff), -1.0, 1.0);
+            const double x = std::clamp((red_[c] - blue_[c]) / std::sqrt(1.0 - is_.cutoff), -1.0, 1.0);
             psi_[c] = 0.5 * (3.0 * x - x * x * x);
             core_[c] = level_[c] <= 7 && layer(c) > is_.cutoff;
         }
@@ -260,13 +262,13 @@ private:
         Vector g{};
         for (int i = 1; i < direction_count; ++i)
             for (int a = 0; a < 3; ++a)
-                g[a] += 3.0 * weight(i) * velocity(i, a) * q[neighbour_[c][i]];
+                g[a] += 3.0 * w_[i] * c_[i][a] * q[neighbour_[c][i]];
         return g;
     }
     double laplacian(const Scalars& q, std::size_t c) const {
         double sum = 0.0;
         for (int i = 1; i < direction_count; ++i)
-            sum += 6.0 * weight(i) * (q[neighbour_[c][i]] - q[c]);
+            sum += 6.0 * w_[i] * (q[neighbour_[c][i]] - q[c]);
         return sum;
     }
     /// [i][j] = d_j v_i
@@ -275,8 +277,7 @@ private:
         for (int i = 1; i < direction_count; ++i)
             for (int a = 0; a < 3; ++a)
                 for (int b = 0; b < 3; ++b)
-                    d[a][b] += 3.0 * weight(i) * velocity(i, b) *
-                               v[neighbour_[c][i]][a];
+                    d[a][b] += 3.0 * w_[i] * c_[i][b] * v[neighbour_[c][i]][a];
         return d;
     }
 
@@ -370,6 +371,9 @@ private:
     }
 
     Vec3<int> size_;
+    List<double, direction_count> w_;
+    List<Vector, direction_count> c_;
+    List<Matrix, direction_count> cc_; ///< c c - 1/3
     Constants is_;
     std::size_t cells_;
     std::vector<List<std::size_t, direction_count>> neighbour_;

@@ -15,8 +15,7 @@ struct Rows {
     std::vector<int> worked;
     std::vector<int> settled;
 
-    explicit Rows(const Vec3<int>& box)
-        : size(box), worked(count(), 0), settled(count(), 0) {}
+    explicit Rows(const Vec3<int>& box) : size(box), worked(count(), 0), settled(count(), 0) {}
 
     std::size_t count() const { return static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z); }
     int y_of(std::int64_t row) const { return static_cast<int>(row % size.y); }
