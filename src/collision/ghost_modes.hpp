@@ -71,6 +71,16 @@ constexpr bool ghosts_are_orthogonal_to_hydrodynamics() {
     return true;
 }
 
+/// The first six change sign under c -> -c, the others do not.
+constexpr bool ghosts_are_odd_and_even() {
+    for (int mode = 0; mode < ghost_mode_count; ++mode)
+        for (int i = 0; i < direction_count; ++i)
+            if (ghost_mode(mode, opposite(i)) != (mode < 6 ? -1.0 : 1.0) * ghost_mode(mode, i))
+                return false;
+    return true;
+}
+static_assert(ghosts_are_odd_and_even());
+
 constexpr bool ghosts_are_orthogonal_to_each_other() {
     for (int a = 0; a < ghost_mode_count; ++a)
         for (int b = 0; b < a; ++b) {

@@ -71,10 +71,13 @@ template <class V>
 /// 3 t_i, chosen such that sum_i (3 t_i) c_ia c_ia is one in T's own arithmetic: each rounded for itself,
 /// they would let momentum grow by 3e-8 a step in single precision.
 template <class T>
-constexpr T momentum_weight(int i) {
+constexpr T momentum_weight(int i) { // i != 0
     constexpr T diagonal = T(1) / T(12);
     return detail::squared_speed(i) == 1 ? (T(1) - T(8) * diagonal) / T(2) : diagonal;
 }
+
+static_assert(2 * momentum_weight<double>(1) + 8 * momentum_weight<double>(18) == 1.0);
+static_assert(2 * momentum_weight<float>(1) + 8 * momentum_weight<float>(18) == 1.0f);
 
 /// The populations that have exactly these ten moments and no ghost part:
 /// g_i = t_i [ drho + 3 j.c + (9/2) S : (c c - 1/3) ].

@@ -9,7 +9,8 @@
 #include <type_traits>
 
 /// The arithmetic vocabulary of the kernels, for plain numbers. `parallel/pack.hpp` says the same words for
-/// packs of numbers, so that one kernel text serves both.
+/// packs of numbers, so that one kernel text serves both. All is constexpr, roots too: nvcc takes that for
+/// leave to compile it for a device.
 namespace vesica {
 
 template <std::floating_point T>
@@ -54,12 +55,6 @@ constexpr T smaller(T a, T b) {
 template <std::floating_point T>
 constexpr bool sign_bit(T a) {
     return std::signbit(a);
-}
-
-/// One where the sign bit is set, zero elsewhere.
-template <std::floating_point T>
-constexpr T one_where_sign_bit(T a) {
-    return std::signbit(a) ? T(1) : T(0);
 }
 
 /// |a| with the sign bit set where `negative` holds.

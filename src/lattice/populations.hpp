@@ -51,7 +51,7 @@ public:
             return slots_[i] + cell + offsets_[i];
     }
 
-    /// Asks for the arriving populations of a tile to be brought to the second-level cache.
+    /// Asks for the cache lines of the arriving populations of a cell to be brought to the second level.
     template <Streaming streaming>
     [[gnu::always_inline]] void fetch(std::int64_t cell) const {
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {

@@ -231,18 +231,6 @@ VESICA_INLINE typename Pack<T>::Mask sign_bit(const Pack<T>& a) {
     return mask;
 }
 
-/// One where the sign bit is set, zero elsewhere: the sign spread over the lane, and with the bits of one.
-template <class T>
-VESICA_INLINE Pack<T> one_where_sign_bit(Pack<T> a) {
-    using Lanes = typename Pack<T>::Lanes;
-    using Native = typename Pack<T>::Native;
-    constexpr int sign = static_cast<int>(sizeof(T)) * 8 - 1;
-    const Pack<T> one(1);
-    for (int r = 0; r < Pack<T>::registers; ++r)
-        a.v[r] = (Native)(((Lanes)a.v[r] >> sign) & (Lanes)one.v[r]);
-    return a;
-}
-
 template <class T>
 VESICA_INLINE Pack<T> magnitude(Pack<T> a) {
     using Lanes = typename Pack<T>::Lanes;

@@ -83,11 +83,14 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     // Vesicles of one kind share a colour and, but for the area, know nothing of each other's membranes.
     const VesicleType& type = parameters.types.at(parameters.vesicles.front().type);
     std::vector<InitialColours::Placed> shapes;
-    for (const VesicleParameters& vesicle : parameters.vesicles)
+    for (const VesicleParameters& vesicle : parameters.vesicles) {
+        if (vesicle.type != parameters.vesicles.front().type)
+            throw InputError("the vesicles are of several types; expected one type for all");
         shapes.push_back({make_shape(vesicle), vesicle.centre});
+    }
     if (shapes.size() > 1 && !std::holds_alternative<NoConstraint>(type.area.constraint))
         throw InputError("several vesicles share one area constraint; expected constraint = \"none\"");
-    const std::shared_ptr<const Shape>& shape = shapes.front().shape;
+    const std::shared_ptr<const Shape> shape = shapes.front().shape;
     setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity * type.viscosity_ratio);
     setup.bending_modulus = type.bending.modulus;
     if (const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form))

@@ -2,13 +2,14 @@
 
 #include "boundary/periodic.hpp"
 #include "collision/regularised.hpp"
-#include "colour/phase.hpp"
 #include "lattice/band.hpp"
 #include "lattice/populations.hpp"
 #include "parallel/for_each.hpp"
 #include "parallel/pack.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/row_schedule.hpp"
+
+#include <algorithm>
 
 namespace vesica {
 
@@ -21,7 +22,7 @@ struct LayerInfluence {
     FieldView<const Real> force;
     bool contrast = false; ///< inner and outer viscosity differ
     const std::int32_t* colour_slot = nullptr;
-    const Real* red = nullptr;            ///< rho_R/rho there
+    const Real* red = nullptr;            ///< rho_R/rho there, before streaming: a step does not write it
     const std::uint8_t* inside = nullptr; ///< per tile: bit k set where cell k, outside the band, is red
 };
 
@@ -114,7 +115,7 @@ private:
         constexpr std::int64_t cache = 1'000'000;
         const std::int64_t row_bytes =
             std::int64_t{direction_count} * grid_.row_stride() * std::int64_t{sizeof(Real)};
-        return static_cast<int>(std::clamp<std::int64_t>(cache / (3 * row_bytes), 4, grid_.size().y));
+        return static_cast<int>(std::max<std::int64_t>(cache / (3 * row_bytes), 4));
     }
 
     /// The default collision has a text of its own for cells without a force; for the others one text is

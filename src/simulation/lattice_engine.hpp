@@ -137,16 +137,11 @@ private:
         layer_.begin_transport(setup_.threads);
         const Streaming streamed = after_step(streaming_);
         const auto carry_colours = [&](int thread, std::int64_t first_row, std::int64_t last_row) {
-            const bool timed = thread == 0 && !layer_.empty(); // one thread speaks for all
-            if (timed)
-                clock_.enter(StepPart::transport);
             layer_.transport_rows(f_, streamed, thread, first_row, last_row);
-            if (timed)
-                clock_.enter(StepPart::fluid);
         };
         std::visit([&](const auto& fluid) { fluid(streaming_, influence(), setup_.threads, carry_colours); },
                    fluid_);
-        layer_.end_transport();
+        clock_.concede(StepPart::transport, layer_.end_transport());
         streaming_ = streamed;
         ++step_;
     }

@@ -32,15 +32,18 @@ struct LayerSums {
 struct alignas(64) TransportSums {
     LaneSum<50> leaked; ///< red that left the band, in cells' worth of fluid
     LaneSum<38> layer;  ///< 1 - phi^2
+    double seconds = 0.0;
 
     void merge(const TransportSums& other) {
         leaked.merge(other.leaked);
         layer.merge(other.layer);
+        seconds += other.seconds;
     }
 };
 
 /// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step
-/// is transport, locate, normals, curvatures, slopes, forces, each a pass over the tiles of its level.
+/// is transport, along with the fluid, and then locate, normals, curvatures, slopes, forces, each a pass over
+/// the tiles of its level.
 template <class Real>
 class Layer {
 public:
@@ -76,7 +79,8 @@ public:
     std::size_t bytes() const {
         return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
                (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) +
-               core_bits_.capacity();
+               core_bits_.capacity() + row_begins_.capacity() * sizeof(std::int32_t) +
+               transport_sums_.capacity() * sizeof(TransportSums);
     }
 
     /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid
@@ -100,7 +104,8 @@ public:
     void begin_transport(int threads);
     void transport_rows(const PopulationView<Real>& f, Streaming streaming, int thread, std::int64_t first,
                         std::int64_t last);
-    void end_transport();
+    /// Returns the seconds it took, of the threads' mean.
+    double end_transport();
 
     /// Density of every cell that needs it, from the populations; transport does the same on its way.
     void weigh(const PopulationView<Real>& f, Streaming streaming, int threads) {
@@ -119,7 +124,10 @@ public:
             1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
         const V correction = V(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
         std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
-        std::vector<std::uint8_t> left(static_cast<std::size_t>(threads), 0);
+        struct alignas(64) Departed {
+            unsigned bits = 0;
+        };
+        std::vector<Departed> departed(static_cast<std::size_t>(threads));
         core_bits_.resize(band_.tiles().size());
         for_tiles(Band::outermost, threads, [&](const BandTile& t, std::size_t index, int thread) {
             const V density = V::load(fields_.density.data() + t.slot());
@@ -138,10 +146,11 @@ public:
             const V layer = layer_density(chi);
             area[at(thread)].add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
             core_bits_[index] = bits_of((layer > V(settings_.cutoff)) & holds_both);
-            left[at(thread)] |= static_cast<std::uint8_t>(core_bits_[index] & ~t.bits[reach::force]);
+            departed[at(thread)].bits |= core_bits_[index] & ~unsigned{t.bits[reach::force]};
         });
         sums_.raw_area = merged(area);
-        core_has_left_ = std::any_of(left.begin(), left.end(), [](std::uint8_t bits) { return bits != 0; });
+        core_has_left_ = std::any_of(departed.begin(), departed.end(),
+                                     [](const Departed& cells) { return cells.bits != 0; });
         leaked_ = 0.0;
         exchange({fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi}, threads);
     }

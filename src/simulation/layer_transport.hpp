@@ -2,6 +2,8 @@
 
 #include "simulation/layer.hpp"
 
+#include <chrono>
+
 namespace vesica {
 
 template <class Real>
@@ -16,11 +18,15 @@ void Layer<Real>::transport_rows(const PopulationView<Real>& f, Streaming stream
         return;
     const std::size_t begin = at(row_begins_[at(first)]);
     const std::size_t end = at(row_begins_[at(last)]);
+    if (begin == end)
+        return;
+    const auto started = std::chrono::steady_clock::now();
     TransportSums& sums = transport_sums_[at(thread)];
     if (streaming == Streaming::arrived)
         transport_tiles<Streaming::arrived>(f, begin, end, sums);
     else
         transport_tiles<Streaming::turned>(f, begin, end, sums);
+    sums.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
 }
 
 template <class Real>
@@ -65,12 +71,13 @@ VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, co
 }
 
 template <class Real>
-void Layer<Real>::end_transport() {
+double Layer<Real>::end_transport() {
     TransportSums total;
     for (const TransportSums& sums : transport_sums_)
         total.merge(sums);
     leaked_ += settings_.reference_density * total.leaked.value();
     layer_sum_ = total.layer.value();
+    return total.seconds / static_cast<double>(transport_sums_.size());
 }
 
 } // namespace vesica

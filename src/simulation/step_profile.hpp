@@ -9,7 +9,7 @@
 
 namespace vesica {
 
-/// The parts of a step, in the order they are done.
+/// The parts of a step, in the order they are done; transport goes along with the fluid.
 enum class StepPart { fluid, transport, locate, follow, normals, curvatures, slopes, forces };
 
 inline constexpr std::size_t step_part_count = 8;
@@ -47,7 +47,7 @@ private:
     static double core_nanoseconds(double part_seconds, double per, int threads);
 };
 
-/// Charges wall time to the part entered last. One reading of the clock per part: some 200 ns a step.
+/// Charges wall time to the part entered last, by one reading of the clock per part.
 template <class Clock>
 class BasicStepClock {
 public:
@@ -64,6 +64,12 @@ public:
             return;
         settle();
         part_ = static_cast<std::size_t>(part);
+    }
+
+    /// So much of the time of the part that is going on is another's.
+    void concede(StepPart to, double seconds) {
+        profile_.seconds[static_cast<std::size_t>(to)] += seconds;
+        profile_.seconds[part_] -= seconds;
     }
 
     /// The step is done.

@@ -208,6 +208,13 @@ TEST_CASE("the two colours together are the fluid: recolouring moves no mass of 
     const ColourDensities<double> seen_by_blue = gather_colours(g, 1.0, sum, true, other_fraction, w);
     CHECK(arrived.red == Approx(seen_by_blue.red).epsilon(1e-14)); // whichever of the two is summed
     CHECK(arrived.blue == Approx(seen_by_blue.blue).epsilon(1e-14));
+    double red = 0.0;
+    for_each_direction([&](auto i) {
+        constexpr int from = opposite(decltype(i)::value);
+        const double separated = weight(i) * 0.01 * from * (velocity(i, 0) + velocity(i, 1) + velocity(i, 2));
+        red += fraction(Direction<from>{}) * (weight(i) + g[i]) - separated;
+    });
+    CHECK(arrived.red == Approx(red).epsilon(1e-14));
     CHECK(arrived.red + arrived.blue == Approx(sum).epsilon(1e-15));
 }
 

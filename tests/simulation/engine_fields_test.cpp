@@ -66,3 +66,33 @@ TEST_CASE("a droplet that fades away far from the vesicle is given back to it, w
     CHECK(engine->interface_fraction() < 0.95 * cells_before); // the droplet's part of the band is gone
     CHECK(engine->snapshot().vesicles[0].colour_mass == Approx(mass).epsilon(1e-12));
 }
+
+TEST_CASE(
+    "several vesicles of one type start where they are put, and what they cannot share yet is refused") {
+    Parameters parameters = deforming_spheroid(40, 6.0);
+    parameters.types.front().area.constraint = NoConstraint{};
+    parameters.vesicles.front().shape = SphereShape{};
+    parameters.vesicles.push_back(parameters.vesicles.front());
+    parameters.vesicles[0].centre = {10.0, 10.0, 20.0};
+    parameters.vesicles[1].centre = {30.0, 30.0, 38.0}; // across a face
+    const auto engine = make_engine(parameters, 1);
+    const DenseField phase = engine->field("phase");
+    double inside = 0.0;
+    for (const double phi : phase.values)
+        inside += 0.5 * (1.0 + phi);
+    const double sphere = 4.0 / 3.0 * 3.14159265358979 * 6.0 * 6.0 * 6.0;
+    CHECK(inside == Approx(2.0 * sphere).epsilon(0.05));
+    const auto at = [&](int x, int y, int z) {
+        return phase.values[static_cast<std::size_t>((z * 40 + y) * 40 + x)];
+    };
+    CHECK(at(10, 10, 20) > 0.99);
+    CHECK(at(30, 30, 1) > 0.99);
+    CHECK(at(20, 20, 20) < -0.99);
+
+    parameters.types.push_back(parameters.types.front());
+    parameters.vesicles[1].type = 1;
+    CHECK_THROWS_WITH(make_engine(parameters, 1), Catch::Contains("several types"));
+    parameters.vesicles[1].type = 0;
+    parameters.types.front().area.constraint = MultiplierConstraint{};
+    CHECK_THROWS_WITH(make_engine(parameters, 1), Catch::Contains("share one area constraint"));
+}

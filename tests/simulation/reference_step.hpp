@@ -26,7 +26,7 @@ public:
     };
 
     ReferenceStep(const EngineState& state, const Constants& constants)
-        : size_(state.size), is_(constants), cells_(state.minority.size()) {
+        : size_(state.size), constants_(constants), cells_(state.minority.size()) {
         for (int i = 0; i < direction_count; ++i) {
             w_[i] = weight(i);
             for (int a = 0; a < 3; ++a) {
@@ -146,7 +146,7 @@ private:
     }
 
     void collide() {
-        const double rate = 1.0 / (3.0 * is_.nu + 0.5);
+        const double rate = 1.0 / (3.0 * constants_.nu + 0.5);
         for (std::size_t c = 0; c < cells_; ++c) {
             const Vector F = force_[c];
             double rho = 0.0;
@@ -236,10 +236,10 @@ private:
             const double floor = 1e-8;
             const bool inside = blue_[c] < red_[c];
             const double minor = std::max(inside ? blue_[c] : red_[c], floor);
-            s_[c] = (inside ? -1.0 : 1.0) * std::log((1.0 - minor) / minor) / (2.0 * is_.beta);
-            const double x = std::clamp((red_[c] - blue_[c]) / std::sqrt(1.0 - is_.cutoff), -1.0, 1.0);
+            s_[c] = (inside ? -1.0 : 1.0) * std::log((1.0 - minor) / minor) / (2.0 * constants_.beta);
+            const double x = std::clamp((red_[c] - blue_[c]) / std::sqrt(1.0 - constants_.cutoff), -1.0, 1.0);
             psi_[c] = 0.5 * (3.0 * x - x * x * x);
-            core_[c] = level_[c] <= 7 && layer(c) > is_.cutoff;
+            core_[c] = level_[c] <= 7 && layer(c) > constants_.cutoff;
         }
     }
 
@@ -301,7 +301,7 @@ private:
             const double length = std::sqrt(n[c][0] * n[c][0] + n[c][1] * n[c][1] + n[c][2] * n[c][2]);
             for (int a = 0; a < 3; ++a) {
                 n[c][a] /= std::max(length, 1e-300);
-                flux_[c][a] = 0.25 * is_.beta * density_[c] * layer(c) * n[c][a];
+                flux_[c][a] = 0.25 * constants_.beta * density_[c] * layer(c) * n[c][a];
             }
         });
         Scalars raw(cells_, 0.0);
@@ -362,8 +362,8 @@ private:
                     divergence += ((a == b) - n[c][a] * n[c][b]) * d[a][b];
             const double H = H0[c];
             const double bending =
-                is_.kappa * (2.0 * divergence / J[c] + 2.0 * H * (2.0 * H * H - 2.0 * K0[c]));
-            const double normal_force = bending - 2.0 * is_.sigma * H;
+                constants_.kappa * (2.0 * divergence / J[c] + 2.0 * H * (2.0 * H * H - 2.0 * K0[c]));
+            const double normal_force = bending - 2.0 * constants_.sigma * H;
             const Vector slope = gradient(psi_, c);
             for (int a = 0; a < 3; ++a)
                 force_[c][a] = -0.5 * normal_force * slope[a];
@@ -374,7 +374,7 @@ private:
     List<double, direction_count> w_;
     List<Vector, direction_count> c_;
     List<Matrix, direction_count> cc_; ///< c c - 1/3
-    Constants is_;
+    Constants constants_;
     std::size_t cells_;
     std::vector<List<std::size_t, direction_count>> neighbour_;
     std::vector<Populations> f_;
