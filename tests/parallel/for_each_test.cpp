@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 using namespace vesica;
@@ -32,4 +33,19 @@ TEST_CASE("blocks are contiguous, cover every index once and know whose they are
             CHECK(*std::max_element(calls.begin(), calls.end()) == 1);
             CHECK(calls[0] == 1);
         }
+}
+
+TEST_CASE("numbers below the smallest normal one are zero to the bodies, and to nobody else", "[parallel]") {
+    volatile double smallest = std::numeric_limits<double>::min();
+    volatile double half = 0.5;
+    for (int threads = 1; threads <= 3; ++threads) {
+        std::vector<double> halved(static_cast<std::size_t>(threads), 1.0);
+        for_each_block(threads, threads, [&](int thread, std::int64_t, std::int64_t) {
+            halved[static_cast<std::size_t>(thread)] = smallest * half;
+        });
+#if defined(__SSE2__)
+        CHECK(std::count(halved.begin(), halved.end(), 0.0) == threads);
+#endif
+        CHECK(smallest * half > 0.0);
+    }
 }
