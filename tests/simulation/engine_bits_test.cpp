@@ -27,34 +27,33 @@ EngineState moved(const EngineState& state, const Vec3<int>& shift) {
     return result;
 }
 
+/// After so many steps with one thread and with each of these numbers of threads.
+void check_same_bits(const Parameters& parameters, int steps, std::initializer_list<int> threads) {
+    const auto one = make_engine(parameters, 1);
+    run(*one, steps);
+    const EngineState expected = one->save();
+    for (const int count : threads) {
+        INFO(count << " threads");
+        const auto several = make_engine(parameters, count);
+        run(*several, steps);
+        CHECK(same_state(several->save(), expected));
+    }
+}
+
 } // namespace
 
 TEST_CASE("a deforming vesicle has the same bits with one thread, two and three") {
     const Precision precision = GENERATE(Precision::double_precision, Precision::single_precision);
     Parameters parameters = deforming_spheroid();
     parameters.numerics.precision = precision;
-    const auto one = make_engine(parameters, 1);
-    const auto two = make_engine(parameters, 2);
-    const auto three = make_engine(parameters, 3);
-    run(*one, 150);
-    run(*two, 150);
-    run(*three, 150);
-    CHECK(same_state(one->save(), two->save()));
-    CHECK(same_state(one->save(), three->save()));
+    check_same_bits(parameters, 150, {2, 3});
 }
 
 TEST_CASE("bits do not depend on threads where rows are worked on in blocks and viscosities differ") {
     Parameters parameters = deforming_spheroid(48);
     parameters.types.front().viscosity_ratio = 3.0;
     parameters.vesicles.front().centre = {24.0, 46.0, 2.0};
-    const auto one = make_engine(parameters, 1);
-    const auto two = make_engine(parameters, 2);
-    const auto five = make_engine(parameters, 5);
-    run(*one, 60);
-    run(*two, 60);
-    run(*five, 60);
-    CHECK(same_state(one->save(), two->save()));
-    CHECK(same_state(one->save(), five->save()));
+    check_same_bits(parameters, 60, {2, 5});
 }
 
 TEST_CASE("a run that is saved and loaded has the same bits as one never stopped") {
