@@ -2,6 +2,7 @@
 #include "simulation/bench.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <iostream>
 #include <memory>
@@ -23,7 +24,15 @@ void declare_bench(CLI::App& app, Action& action) {
         ->expected(1)
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--seconds", arguments->options.seconds, "Time to spend on each number")
+    command
+        ->add_option("--case", arguments->options.cases,
+                     fmt::format("Measure this case only ({}); may be repeated",
+                                 fmt::join(bench_case_names(), ", ")))
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--seconds", arguments->options.seconds, "Time to spend on each case")
         ->type_name("S")
         ->check(CLI::Range(1e-3, 3600.0).description(""))
         ->capture_default_str();

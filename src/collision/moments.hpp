@@ -1,9 +1,9 @@
 #pragma once
 
+#include "collision/parity.hpp"
 #include "core/real.hpp"
 #include "core/symmetric_matrix.hpp"
 #include "core/vec3.hpp"
-#include "lattice/velocity_set.hpp"
 
 namespace vesica {
 
@@ -18,54 +18,25 @@ struct Moments {
 };
 
 template <class V>
-[[gnu::always_inline]] constexpr Moments<V> moments_of(const V (&g)[direction_count]) {
+[[gnu::always_inline]] constexpr Moments<V> moments_of(const EvenParts<V>& even, const OddParts<V>& odd) {
     Moments<V> m;
-    m.density_deviation = g[0];
-    for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
-        constexpr int head = decltype(i)::value;
-        constexpr int tail = opposite(head);
-        constexpr int cx = velocity(head, 0);
-        constexpr int cy = velocity(head, 1);
-        constexpr int cz = velocity(head, 2);
-        const V even = g[head] + g[tail];
-        const V odd = g[head] - g[tail];
-        m.density_deviation += even;
-        if constexpr (cx == 1)
-            m.momentum.x += odd;
-        if constexpr (cx == -1)
-            m.momentum.x -= odd;
-        if constexpr (cy == 1)
-            m.momentum.y += odd;
-        if constexpr (cy == -1)
-            m.momentum.y -= odd;
-        if constexpr (cz == 1)
-            m.momentum.z += odd;
-        if constexpr (cz == -1)
-            m.momentum.z -= odd;
-        if constexpr (cx != 0)
-            m.stress.xx += even;
-        if constexpr (cy != 0)
-            m.stress.yy += even;
-        if constexpr (cz != 0)
-            m.stress.zz += even;
-        if constexpr (cx * cy == 1)
-            m.stress.xy += even;
-        if constexpr (cx * cy == -1)
-            m.stress.xy -= even;
-        if constexpr (cx * cz == 1)
-            m.stress.xz += even;
-        if constexpr (cx * cz == -1)
-            m.stress.xz -= even;
-        if constexpr (cy * cz == 1)
-            m.stress.yz += even;
-        if constexpr (cy * cz == -1)
-            m.stress.yz -= even;
-    });
-    const V pressure_deviation = V(sound_speed_squared) * m.density_deviation;
-    m.stress.xx -= pressure_deviation;
-    m.stress.yy -= pressure_deviation;
-    m.stress.zz -= pressure_deviation;
+    const V planes = even.plane[0] + even.plane[1] + even.plane[2];
+    m.density_deviation = even.rest + (even.axis[0] + even.axis[1] + even.axis[2]) + planes;
+    const V beside = fma(V(-sound_speed_squared), m.density_deviation, planes);
+    m.momentum = {odd.axis[0] + (odd.first[2] + odd.second[1]), odd.axis[1] + (odd.first[0] + odd.second[2]),
+                  odd.axis[2] + (odd.first[1] + odd.second[0])};
+    m.stress = {even.axis[0] + (beside - even.plane[0]),
+                even.axis[1] + (beside - even.plane[1]),
+                even.axis[2] + (beside - even.plane[2]),
+                even.shear[2],
+                even.shear[1],
+                even.shear[0]};
     return m;
+}
+
+template <class V>
+[[gnu::always_inline]] constexpr Moments<V> moments_of(const V (&g)[direction_count]) {
+    return moments_of(even_parts(g), odd_parts(g));
 }
 
 /// 3 t_i, chosen such that sum_i (3 t_i) c_ia c_ia is one in T's own arithmetic: each rounded for itself,
@@ -79,57 +50,35 @@ constexpr T momentum_weight(int i) { // i != 0
 static_assert(2 * momentum_weight<double>(1) + 8 * momentum_weight<double>(18) == 1.0);
 static_assert(2 * momentum_weight<float>(1) + 8 * momentum_weight<float>(18) == 1.0f);
 
-/// The populations that have exactly these ten moments and no ghost part:
+/// What `join` makes populations of that have exactly these moments and no ghost part:
 /// g_i = t_i [ drho + 3 j.c + (9/2) S : (c c - 1/3) ].
 template <class V>
+[[gnu::always_inline]] constexpr EvenParts<V> even_parts_with(const Moments<V>& m) {
+    const V twelfth_of_trace = V(1.0 / 12.0) * m.stress.trace();
+    const V axis = fma(V(1.0 / 18.0), m.density_deviation, -twelfth_of_trace);
+    const V plane = fma(V(1.0 / 36.0), m.density_deviation, twelfth_of_trace);
+    const auto& S = m.stress;
+    return {fma(V(1.0 / 3.0), m.density_deviation, V(-6) * twelfth_of_trace),
+            {fma(V(0.25), S.xx, axis), fma(V(0.25), S.yy, axis), fma(V(0.25), S.zz, axis)},
+            {fma(V(-0.125), S.xx, plane), fma(V(-0.125), S.yy, plane), fma(V(-0.125), S.zz, plane)},
+            {V(0.25) * S.yz, V(0.25) * S.xz, V(0.25) * S.xy}};
+}
+
+template <class V>
+[[gnu::always_inline]] constexpr OddParts<V> odd_parts_with(const Moments<V>& m) {
+    using T = scalar_of_t<V>;
+    const V along = V(momentum_weight<T>(along_axis(0)));
+    const V diagonal = V(momentum_weight<T>(rising_diagonal(0)));
+    const auto& j = m.momentum;
+    const Vec3<V> shared{diagonal * j.x, diagonal * j.y, diagonal * j.z};
+    return {{along * j.x, along * j.y, along * j.z},
+            {shared.y, shared.z, shared.x},
+            {shared.z, shared.x, shared.y}};
+}
+
+template <class V>
 [[gnu::always_inline]] constexpr void populations_of(const Moments<V>& m, V (&g)[direction_count]) {
-    const V third_of_trace = V(sound_speed_squared) * m.stress.trace();
-    const V base = m.density_deviation - V(4.5) * third_of_trace;
-    g[0] = V(weight(0)) * base;
-    for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
-        constexpr int head = decltype(i)::value;
-        constexpr int tail = opposite(head);
-        constexpr int cx = velocity(head, 0);
-        constexpr int cy = velocity(head, 1);
-        constexpr int cz = velocity(head, 2);
-        V j = V(0);
-        if constexpr (cx == 1)
-            j += m.momentum.x;
-        if constexpr (cx == -1)
-            j -= m.momentum.x;
-        if constexpr (cy == 1)
-            j += m.momentum.y;
-        if constexpr (cy == -1)
-            j -= m.momentum.y;
-        if constexpr (cz == 1)
-            j += m.momentum.z;
-        if constexpr (cz == -1)
-            j -= m.momentum.z;
-        V s = V(0);
-        if constexpr (cx != 0)
-            s += m.stress.xx;
-        if constexpr (cy != 0)
-            s += m.stress.yy;
-        if constexpr (cz != 0)
-            s += m.stress.zz;
-        V shear = V(0);
-        if constexpr (cx * cy == 1)
-            shear += m.stress.xy;
-        if constexpr (cx * cy == -1)
-            shear -= m.stress.xy;
-        if constexpr (cx * cz == 1)
-            shear += m.stress.xz;
-        if constexpr (cx * cz == -1)
-            shear -= m.stress.xz;
-        if constexpr (cy * cz == 1)
-            shear += m.stress.yz;
-        if constexpr (cy * cz == -1)
-            shear -= m.stress.yz;
-        const V even = V(weight(head)) * fma(V(4.5), s + shear + shear, base);
-        const V odd = V(momentum_weight<scalar_of_t<V>>(head)) * j;
-        g[head] = even + odd;
-        g[tail] = even - odd;
-    });
+    join(even_parts_with(m), odd_parts_with(m), g);
 }
 
 } // namespace vesica

@@ -49,7 +49,7 @@ struct SingleRelaxationTime {
 };
 
 /// MRT in the t-orthogonal basis: the regularised collision plus what each ghost mode keeps,
-/// f_i* += t_i sum_h (1 - lambda_h) h_i (sum_j h_j f_j)/(sum_j t_j h_j^2).
+/// f_i* += t_i sum_h (1 - lambda_h) h_i (sum_j h_j f_j)/(sum_j t_j h_j^2), h as in ghost_modes.hpp.
 template <class Ghosts>
 struct SymmetricMrt {
     Ghosts ghosts;
@@ -57,77 +57,55 @@ struct SymmetricMrt {
     template <class V>
     [[gnu::always_inline]] constexpr void operator()(V (&g)[direction_count], const Vec3<V>& F, const V& rate,
                                                      const V& reference_density) const {
-        // A mode is even or odd under c -> -c: of each pair of directions it sees the sum or the difference.
-        V even[direction_count]; // by the pair's first direction, and the resting one
-        V odd[direction_count];
-        even[0] = g[0];
-        for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
-            constexpr int head = decltype(i)::value;
-            even[head] = g[head] + g[opposite(head)];
-            odd[head] = g[head] - g[opposite(head)];
-        });
-        V kept[ghost_mode_count];
-        project(even, odd, rate, kept, std::make_integer_sequence<int, ghost_mode_count>{});
-        const HydrodynamicStep<V> step = relax_hydrodynamics(moments_of(g), F, rate, reference_density);
-        populations_of(step.after, g);
-        g[0] = fma(V(weight(0)), kept[even_scalar_mode], g[0]);
-        for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
-            constexpr int head = decltype(i)::value;
-            V even_sum = V(-0.0);
-            V odd_sum = V(-0.0);
-            add_modes<head>(even_sum, odd_sum, kept, std::make_integer_sequence<int, ghost_mode_count>{});
-            g[head] = fma(V(weight(head)), even_sum + odd_sum, g[head]);
-            g[opposite(head)] = fma(V(weight(head)), even_sum - odd_sum, g[opposite(head)]);
-        });
+        const EvenParts<V> even = even_parts(g);
+        const OddParts<V> odd = odd_parts(g);
+        const HydrodynamicStep<V> step =
+            relax_hydrodynamics(moments_of(even, odd), F, rate, reference_density);
+        EvenParts<V> even_after = even_parts_with(step.after);
+        OddParts<V> odd_after = odd_parts_with(step.after);
+        keep_even_ghosts(even, rate, even_after);
+        keep_odd_ghosts(odd, rate, odd_after);
+        join(even_after, odd_after, g);
     }
 
 private:
-    static constexpr int even_scalar_mode = 6; // the only one in which the resting population takes part
-    static constexpr bool is_odd(int mode) {
-        return ghost_family(mode) == GhostFamily::odd_vector || ghost_family(mode) == GhostFamily::odd_twist;
-    }
-    static_assert(ghost_mode(even_scalar_mode, 0) == 1.0 && ghost_mode(7, 0) == 0.0 &&
-                  ghost_mode(8, 0) == 0.0);
-
-    template <class V, int... mode>
-    [[gnu::always_inline]] constexpr void
-    project(const V (&even)[direction_count], const V (&odd)[direction_count], const V& rate,
-            V (&kept)[ghost_mode_count], std::integer_sequence<int, mode...>) const {
-        ((kept[mode] = V(1.0 / ghost_norm(mode)) * ghosts.template kept<ghost_family(mode)>(rate) *
-                       ghost_moment<mode>(even, odd)),
-         ...);
-    }
-
-    template <int mode, class V>
-    [[gnu::always_inline]] static constexpr V ghost_moment(const V (&even)[direction_count],
-                                                           const V (&odd)[direction_count]) {
-        V sum = V(-0.0);
-        if constexpr (mode == even_scalar_mode)
-            sum += even[0];
-        for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
-            constexpr int head = decltype(i)::value;
-            add_term<mode, head>(sum, is_odd(mode) ? odd[head] : even[head]);
+    /// The scalar mode sees rest - 2 axes + planes. The tensor modes see, of axis k and the plane across it
+    /// together, how far they exceed the mean of all three.
+    template <class V>
+    [[gnu::always_inline]] constexpr void keep_even_ghosts(const EvenParts<V>& before, const V& rate,
+                                                           EvenParts<V>& after) const {
+        const V axes = before.axis[0] + before.axis[1] + before.axis[2];
+        const V planes = before.plane[0] + before.plane[1] + before.plane[2];
+        const V scalar = ghosts.template kept<GhostFamily::even_scalar>(rate) *
+                         fma(V(-2), axes, before.rest + planes);
+        after.rest = fma(V(1.0 / 6.0), scalar, after.rest);
+        const V tensor_kept = ghosts.template kept<GhostFamily::even_tensor>(rate);
+        const V mean = V(1.0 / 3.0) * (axes + planes);
+        for_each_axis([&](auto k) VESICA_INLINE_LAMBDA {
+            const V tensor = tensor_kept * (before.axis[k] + before.plane[k] - mean);
+            after.axis[k] += fma(V(0.25), tensor, V(-1.0 / 18.0) * scalar);
+            after.plane[k] += fma(V(0.125), tensor, V(1.0 / 72.0) * scalar);
         });
-        return sum;
     }
 
-    template <int head, class V, int... mode>
-    [[gnu::always_inline]] static constexpr void add_modes(V& even_sum, V& odd_sum,
-                                                           const V (&kept)[ghost_mode_count],
-                                                           std::integer_sequence<int, mode...>) {
-        (add_term<mode, head>(is_odd(mode) ? odd_sum : even_sum, kept[mode]), ...);
-    }
-
-    /// sum += h a, h what the mode has in this direction.
-    template <int mode, int i, class V>
-    [[gnu::always_inline]] static constexpr void add_term(V& sum, const V& a) {
-        constexpr double h = ghost_mode(mode, i);
-        if constexpr (h == 1.0)
-            sum += a;
-        else if constexpr (h == -1.0)
-            sum -= a;
-        else if constexpr (h != 0.0)
-            sum = fma(V(h), a, sum);
+    /// Of what moves along axis k, the vector mode sees the planes less twice the axis, the twist one plane
+    /// less the other.
+    template <class V>
+    [[gnu::always_inline]] constexpr void keep_odd_ghosts(const OddParts<V>& before, const V& rate,
+                                                          OddParts<V>& after) const {
+        const V vector_kept = V(1.0 / 6.0) * ghosts.template kept<GhostFamily::odd_vector>(rate);
+        const V twist_kept = V(1.0 / 8.0) * ghosts.template kept<GhostFamily::odd_twist>(rate);
+        for_each_axis([&](auto k) VESICA_INLINE_LAMBDA {
+            constexpr int first_in = (k + 2) % 3;
+            constexpr int second_in = (k + 1) % 3;
+            const V& a = before.first[first_in];
+            const V& b = before.second[second_in];
+            const V vector = vector_kept * fma(V(-2), before.axis[k], a + b);
+            const V twist = twist_kept * (a - b);
+            after.axis[k] -= vector;
+            after.first[first_in] += fma(V(0.25), vector, twist);
+            after.second[second_in] += fma(V(0.25), vector, -twist);
+        });
     }
 };
 

@@ -166,9 +166,12 @@ double Meridian::refine(double r, double z, int node) const {
 }
 
 MeridianFoot Meridian::closest(double r, double z) const {
+    const auto to_middle = [&](const Block& block) {
+        return std::sqrt(squared(block.r - r) + squared(block.z - z));
+    };
     double bound = std::numeric_limits<double>::max();
     for (const Block& block : blocks_)
-        bound = std::min(bound, std::hypot(block.r - r, block.z - z) + block.radius);
+        bound = std::min(bound, to_middle(block) + block.radius);
 
     // A point of the curve is within half a chord of a sampled one, so every sampled local minimum that is no
     // farther than this beyond the best may lie next to the closest point.
@@ -184,19 +187,21 @@ MeridianFoot Meridian::closest(double r, double z) const {
     };
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         const Block& block = blocks_[b];
-        if (std::hypot(block.r - r, block.z - z) - block.radius > bound + longest_chord_)
+        if (to_middle(block) - block.radius > bound + longest_chord_)
             continue;
         const int begin = static_cast<int>(b) * points_per_block;
         const int end = std::min(begin + points_per_block, last + 1);
+        double before = squared_distance(std::max(begin - 1, 0));
+        double here = squared_distance(begin);
         for (int i = begin; i < end; ++i) {
-            const double here = squared_distance(i);
-            if (i > 0 && squared_distance(i - 1) < here)
-                continue;
-            if (i < last && squared_distance(i + 1) < here)
-                continue;
-            const double distance = std::sqrt(here);
-            candidates.push_back({i, distance});
-            bound = std::min(bound, distance);
+            const double after = squared_distance(std::min(i + 1, last));
+            if (here <= before && here <= after) {
+                const double distance = std::sqrt(here);
+                candidates.push_back({i, distance});
+                bound = std::min(bound, distance);
+            }
+            before = here;
+            here = after;
         }
     }
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -22,43 +21,57 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Seconds of the fastest of many calls: what the machine can do, not what else it was doing.
-template <class Work>
-double fastest(double budget, const Work& work) {
-    work(); // first touch
-    double best = HUGE_VAL;
-    const auto begin = Clock::now();
-    for (int round = 0; round < 3 || seconds_since(begin) < budget; ++round) {
+/// Seconds of the fastest call so far: what the machine can do, not what else it was doing.
+class Fastest {
+public:
+    template <class Work>
+    void time(const Work& work) {
         const auto before = Clock::now();
         work();
-        best = std::min(best, seconds_since(before));
+        seconds_ = std::min(seconds_, seconds_since(before));
     }
-    return best;
-}
+    double seconds() const { return seconds_; }
 
+private:
+    double seconds_ = HUGE_VAL;
+};
+
+/// The passes that bound every step, over populations of their own.
 template <class Real>
-BenchLimit measure_limit(int edge, Precision precision, int threads, double budget,
-                         std::string& instruction_set) {
-    const BenchBox box(edge);
-    const BenchKernels<Real> kernels = bench_kernels<Real>();
-    instruction_set = kernels.instruction_set;
-    const auto f = large_array<Real>(box.numbers());
-    kernels.fill(box, f.get(), threads);
+class Passes {
+public:
+    Passes(int edge, int threads)
+        : box_(edge), kernels_(bench_kernels<Real>()), f_(large_array<Real>(box_.numbers())), threads_(threads) {
+        kernels_.fill(box_, f_.get(), threads);
+        read_modify_write();
+        stream_twice();
+    }
 
-    BenchLimit limit;
-    limit.edge = edge;
-    limit.precision = precision;
-    const double pass = fastest(0.5 * budget, [&] { kernels.read_modify_write(box, f.get(), threads); });
-    const double numbers = static_cast<double>(direction_count * box.layer_stride * (box.cells_per_edge + 2));
-    limit.bandwidth = 2.0 * numbers * sizeof(Real) / pass;
-    limit.bandwidth_mlups = 1e-6 * limit.bandwidth / (bench_numbers_per_cell * sizeof(Real));
-    const double both = fastest(0.5 * budget, [&] {
-        kernels.stream_even(box, f.get(), threads);
-        kernels.stream_odd(box, f.get(), threads);
-    });
-    limit.streaming_mlups = 2e-6 * std::pow(box.cells_per_edge, 3) / both;
-    return limit;
-}
+    const char* instruction_set() const { return kernels_.instruction_set; }
+    void read_modify_write() { kernels_.read_modify_write(box_, f_.get(), threads_); }
+    /// In place, even and odd passes need not cost the same.
+    void stream_twice() {
+        kernels_.stream_even(box_, f_.get(), threads_);
+        kernels_.stream_odd(box_, f_.get(), threads_);
+    }
+    double bandwidth(double seconds_of_pass) const { // bytes per second
+        const double numbers =
+            static_cast<double>(direction_count * box_.layer_stride * (box_.cells_per_edge + 2));
+        return 2.0 * numbers * sizeof(Real) / seconds_of_pass;
+    }
+    double bandwidth_mlups(double seconds_of_pass) const {
+        return 1e-6 * bandwidth(seconds_of_pass) / (bench_numbers_per_cell * sizeof(Real));
+    }
+    double streaming_mlups(double seconds_of_two) const {
+        return 2e-6 * std::pow(box_.cells_per_edge, 3) / seconds_of_two;
+    }
+
+private:
+    BenchBox box_;
+    BenchKernels<Real> kernels_;
+    std::unique_ptr<Real[], FreeLargeMemory> f_;
+    int threads_;
+};
 
 Parameters fluid(int edge, Precision precision) {
     Parameters parameters;
@@ -108,70 +121,116 @@ Parameters crowd(int edge, Precision precision) {
     return parameters;
 }
 
-BenchCase measure_case(const std::string& name, const Parameters& parameters, int threads,
-                       const BenchOptions& options) {
+struct StandardCase {
+    const char* name;
+    const char* text;
+    Parameters (*parameters)(int edge, Precision precision);
+};
+
+constexpr StandardCase standard_cases[] = {
+    {"fluid", "a fluid at rest", fluid},
+    {"mrt", "the same with multiple relaxation times", multiple_rates},
+    {"discocyte", "a discocyte", discocyte},
+    {"crowd", "a crowd of discocytes", crowd},
+};
+
+template <class Real>
+BenchCase measure_case(const StandardCase& standard, int edge, Precision precision, Passes<Real>& passes,
+                       BenchLimit& limit, int threads, const BenchOptions& options) {
+    const Parameters parameters = standard.parameters(edge, precision);
     const auto engine =
         options.factory ? options.factory(parameters, threads) : make_engine(parameters, threads);
+    const auto step_twice = [&] {
+        engine->step();
+        engine->step();
+    };
+    step_twice(); // whatever is done once
+    Fastest pass;
+    Fastest streaming;
+    Fastest stepping;
+    constexpr int fewest_turns = 5;
+    const auto begin = Clock::now();
+    for (int turn = 0; turn < fewest_turns || seconds_since(begin) < options.seconds; ++turn) {
+        pass.time([&] { passes.read_modify_write(); });
+        streaming.time([&] { passes.stream_twice(); });
+        stepping.time(step_twice);
+    }
+
+    const double cells = std::pow(edge, 3);
     BenchCase measured;
-    measured.name = name;
-    measured.edge = parameters.size.x;
-    measured.precision = parameters.numerics.precision;
-    // Pairs: streaming in place has even and odd steps, which need not cost the same.
-    const double pair = fastest(options.seconds, [&] {
-        engine->step();
-        engine->step();
-    });
-    measured.mlups = 2e-6 * std::pow(parameters.size.x, 3) / pair;
+    measured.name = standard.name;
+    measured.edge = edge;
+    measured.precision = precision;
+    measured.mlups = 2e-6 * cells / stepping.seconds();
+    measured.bandwidth_mlups = passes.bandwidth_mlups(pass.seconds());
+    measured.streaming_mlups = passes.streaming_mlups(streaming.seconds());
     measured.interface_fraction = engine->interface_fraction();
-    measured.bytes_per_cell = static_cast<double>(engine->bytes_allocated()) / std::pow(parameters.size.x, 3);
+    measured.bytes_per_cell = static_cast<double>(engine->bytes_allocated()) / cells;
     measured.instruction_set = std::string(engine->instruction_set());
+    limit.bandwidth = std::max(limit.bandwidth, passes.bandwidth(pass.seconds()));
+    limit.bandwidth_mlups = std::max(limit.bandwidth_mlups, measured.bandwidth_mlups);
+    limit.streaming_mlups = std::max(limit.streaming_mlups, measured.streaming_mlups);
     return measured;
+}
+
+bool chosen(const StandardCase& standard, const BenchOptions& options) {
+    return options.cases.empty() ||
+           std::find(options.cases.begin(), options.cases.end(), standard.name) != options.cases.end();
+}
+
+template <class Real>
+void measure_cases(int edge, Precision precision, const BenchOptions& options, BenchReport& report) {
+    Passes<Real> passes(edge, report.threads);
+    report.instruction_set = passes.instruction_set();
+    BenchLimit limit;
+    limit.edge = edge;
+    limit.precision = precision;
+    for (const StandardCase& standard : standard_cases) {
+        if (!chosen(standard, options))
+            continue;
+        if (options.progress != nullptr)
+            *options.progress << fmt::format("measuring {}, {}, {}^3\n", standard.text,
+                                             precision == Precision::double_precision ? "double" : "single", edge)
+                              << std::flush;
+        report.cases.push_back(
+            measure_case(standard, edge, precision, passes, limit, report.threads, options));
+    }
+    report.limits.push_back(limit);
+}
+
+void check(const BenchOptions& options, const std::vector<int>& edges) {
+    for (const int edge : edges)
+        if (edge < 32)
+            throw InputError(
+                fmt::format("--size is {}; expected at least 32 cells, below which nothing but caches is "
+                            "measured; try 128",
+                            edge));
+    const std::vector<std::string>& names = bench_case_names();
+    for (const std::string& name : options.cases)
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            throw InputError(fmt::format("--case is \"{}\"; expected one of {}", name, fmt::join(names, ", ")));
 }
 
 } // namespace
 
-const BenchLimit& BenchReport::limit_of(const BenchCase& measured) const {
-    const auto found = std::find_if(limits.begin(), limits.end(), [&](const BenchLimit& limit) {
-        return limit.edge == measured.edge && limit.precision == measured.precision;
-    });
-    assert(found != limits.end());
-    return *found;
+const std::vector<std::string>& bench_case_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const StandardCase& standard : standard_cases)
+            all.emplace_back(standard.name);
+        return all;
+    }();
+    return names;
 }
 
 BenchReport run_bench(const BenchOptions& options) {
     BenchReport report;
     report.threads = options.threads > 0 ? options.threads : default_threads();
     const std::vector<int> edges = options.edges.empty() ? std::vector<int>{128} : options.edges;
-    const auto say = [&](const std::string& what, int edge) {
-        if (options.progress != nullptr)
-            *options.progress << fmt::format("measuring {}, {}^3\n", what, edge) << std::flush;
-    };
+    check(options, edges);
     for (const int edge : edges) {
-        if (edge < 32)
-            throw InputError(
-                fmt::format("--size is {}; expected at least 32 cells, below which nothing but caches is "
-                            "measured; try 128",
-                            edge));
-        for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-            const bool in_double = precision == Precision::double_precision;
-            const std::string suffix = in_double ? ", double" : ", single";
-            say("the machine's limits" + suffix, edge);
-            report.limits.push_back(in_double
-                                        ? measure_limit<double>(edge, precision, report.threads,
-                                                                options.seconds, report.instruction_set)
-                                        : measure_limit<float>(edge, precision, report.threads,
-                                                               options.seconds, report.instruction_set));
-            say("a fluid at rest" + suffix, edge);
-            report.cases.push_back(measure_case("fluid", fluid(edge, precision), report.threads, options));
-            say("the same with multiple relaxation times" + suffix, edge);
-            report.cases.push_back(
-                measure_case("mrt", multiple_rates(edge, precision), report.threads, options));
-            say("a discocyte" + suffix, edge);
-            report.cases.push_back(
-                measure_case("discocyte", discocyte(edge, precision), report.threads, options));
-            say("a crowd of discocytes" + suffix, edge);
-            report.cases.push_back(measure_case("crowd", crowd(edge, precision), report.threads, options));
-        }
+        measure_cases<double>(edge, Precision::double_precision, options, report);
+        measure_cases<float>(edge, Precision::single_precision, options, report);
     }
     return report;
 }

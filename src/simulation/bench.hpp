@@ -11,12 +11,14 @@ namespace vesica {
 struct BenchOptions {
     int threads = 0;        ///< 0: as many as default_threads()
     std::vector<int> edges; ///< of the cubes; empty: 128
-    double seconds = 2.0;   ///< to spend on each number
+    std::vector<std::string> cases; ///< by name; empty: all
+    double seconds = 2.0;   ///< to spend on each case
     EngineFactory factory;  ///< empty: make_engine
     std::ostream* progress = nullptr;
 };
 
-/// What the machine can do at most, measured in this process: a pass over all populations in place.
+/// What the machine can do at most: passes over all populations in place, the fastest of all that took turns
+/// with the cases.
 struct BenchLimit {
     int edge = 0;
     Precision precision = Precision::double_precision;
@@ -30,6 +32,8 @@ struct BenchCase {
     int edge = 0;
     Precision precision = Precision::double_precision;
     double mlups = 0.0;
+    double bandwidth_mlups = 0.0; ///< what the limits' passes reached, taking turns with this case
+    double streaming_mlups = 0.0;
     double interface_fraction = 0.0; ///< of the box's cells in interface bands
     double bytes_per_cell = 0.0;     ///< of the engine's own memory
     std::string instruction_set;
@@ -40,14 +44,16 @@ struct BenchReport {
     std::string instruction_set; ///< of the limits' kernels
     std::vector<BenchLimit> limits;
     std::vector<BenchCase> cases;
-
-    /// The limit measured at the case's size and precision.
-    const BenchLimit& limit_of(const BenchCase& measured) const;
 };
 
-/// Measures the standard cases - a fluid at rest with the regularised collision and with multiple relaxation
-/// times, a discocyte of R0 = 20 per 128 cells, a crowd of discocytes
-/// of R0 = 18.5 with one in every 64^3 cells, in double and in single precision - and the limits beside them.
+/// The names of the standard cases.
+const std::vector<std::string>& bench_case_names();
+
+/// Measures the standard cases in double and in single precision: `fluid`, at rest with the regularised
+/// collision, `mrt`, the same with multiple relaxation times, `discocyte`, of R0 = 20 per 128 cells, and
+/// `crowd`, discocytes of R0 = 18.5, one in every 64^3 cells. Passes of the machine's limits and steps of a
+/// case take turns, so that a machine that is slower for a while is slower for all. Throws InputError for a
+/// box too small or a name unknown.
 BenchReport run_bench(const BenchOptions& options);
 
 std::string bench_text(const BenchReport& report);

@@ -82,7 +82,7 @@ void LatticeEngine<Real>::load(const EngineState& state) {
         [&](std::int64_t cell) {
             return static_cast<Real>(state.minority[canonical[static_cast<std::size_t>(cell)]]);
         },
-        std::move(inside));
+        std::move(inside), setup_.threads);
     membrane_.constraint_tension = state.controllers[0];
     if (auto* multiplier = std::get_if<AreaMultiplier>(&membrane_.area))
         multiplier->restore({state.controllers[1], state.controllers[2], state.controllers[3] != 0.0});

@@ -120,7 +120,7 @@ private:
 
     /// The default collision has a text of its own for cells without a force; for the others one text is
     /// enough.
-    static constexpr bool without_force_is_faster = std::is_same_v<Collision, RegularisedCollision>;
+    static constexpr bool without_force_is_faster = true;
 
     /// The machine foresees long runs of memory only: meanwhile it is asked for the row that comes next.
     template <Streaming streaming>

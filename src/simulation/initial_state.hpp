@@ -20,7 +20,7 @@ public:
         Vec3<double> centre;
     };
 
-    InitialColours(const Grid& grid, std::vector<Placed> shapes, double beta, double cutoff);
+    InitialColours(const Grid& grid, std::vector<Placed> shapes, double beta, double cutoff, int threads);
 
     /// Cells whose 1 - phi^2 exceeds the cutoff.
     const std::vector<Band::Seed>& core() const { return core_; }
@@ -30,7 +30,11 @@ public:
     double chi_at(std::int64_t cell) const;
 
 private:
-    double distance(const Vec3<int>& cell, double far) const;
+    struct Row;
+
+    /// The shapes that come within `far` of a row of cells, nearest_image applied.
+    Row row_near(int y, int z, double far) const;
+    double distance(const Row& row, int x) const;
 
     Grid grid_;
     std::vector<Placed> shapes_;

@@ -68,7 +68,7 @@ public:
             layer_.place(
                 setup_.colours->core(),
                 [&](std::int64_t cell) { return static_cast<Real>(setup_.colours->chi_at(cell)); },
-                setup_.colours->inside());
+                setup_.colours->inside(), setup_.threads);
             layer_.weigh(f_, streaming_, setup_.threads);
             layer_.locate(setup_.threads);
             find_geometry();

@@ -86,16 +86,19 @@ public:
     /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid
     /// index, and `inside` says which side every cell lies on.
     template <class ChiAt>
-    void place(const std::vector<Band::Seed>& core, const ChiAt& chi_at, std::vector<std::uint8_t> inside) {
+    void place(const std::vector<Band::Seed>& core, const ChiAt& chi_at, std::vector<std::uint8_t> inside,
+               int threads) {
         inside_ = std::move(inside);
         lay_out(core);
-        for (const BandTile& t : band_.tiles())
+        for_each_index(static_cast<std::int64_t>(band_.tiles().size()), threads, [&](std::int64_t index) {
+            const BandTile& t = band_.tiles()[at(index)];
             for (int k = 0; k < tile_width; ++k) {
                 Real& chi = fields_.chi[at(t.slot() + k)];
                 const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
                 chi =
                     (t.bits[reach::colour] >> k & 1) != 0 ? chi_at(t.cell + k) : with_sign_bit(red, Real(0));
             }
+        });
     }
 
     /// The colours move with the populations that are being streamed: between begin_transport() and
