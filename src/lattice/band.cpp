@@ -123,8 +123,8 @@ void Band::lay_out() {
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
 
-    // Addresses: tile 1 stands for everything outside the band, with an unused tile on either side.
-    std::int64_t address = 3 * tile;
+    // Addresses: tiles 1 and 2 stand for everything outside the band, with an unused tile on either side.
+    std::int64_t address = 4 * tile;
     std::int64_t previous = -2;
     for (const std::int64_t t : members) {
         if (t != previous + 1)
@@ -150,6 +150,8 @@ void Band::lay_out() {
         }
         cell_count_ += std::popcount(band_tile.bits[outermost]);
         link(band_tile);
+        if (!tiles_.empty())
+            tiles_.back().followed = follows(tiles_.back(), band_tile);
         tiles_.push_back(band_tile);
     }
     occupied_ = std::move(members);
@@ -162,6 +164,15 @@ void Band::link(BandTile& band_tile) const {
             const std::int32_t slot = slot_of_tile(band_tile.tile + grid_.tile_offset(dy, dz));
             band_tile.rows[(dy + 1) + 3 * (dz + 1)] = slot >= 0 ? slot : tile;
         }
+}
+
+bool Band::follows(const BandTile& first, const BandTile& second) {
+    if (second.tile != first.tile + 1)
+        return false;
+    for (int row = 0; row < 9; ++row)
+        if (second.rows[row] != (first.rows[row] == tile ? tile : first.rows[row] + tile))
+            return false;
+    return true;
 }
 
 void Band::list_ghost_copies() {

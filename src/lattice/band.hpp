@@ -15,6 +15,7 @@ struct BandTile {
     std::int64_t tile = 0;     ///< index of the tile in the grid
     std::int32_t rows[9] = {}; ///< compact address of the tile below each (dy, dz), (dy + 1) + 3 (dz + 1)
     std::uint8_t bits[levels] = {}; ///< its cells in level 0, 1, ...; cells of the box only, no ghosts
+    bool followed = false; ///< the band's next tile lies beside it, and so it is in each of the nine rows
 
     /// Compact address of its first cell.
     std::int32_t slot() const { return rows[4]; }
@@ -76,6 +77,7 @@ private:
     void place_ghosts(std::vector<std::int64_t>& members) const;
     void list_ghost_copies();
     void link(BandTile& tile) const;
+    static bool follows(const BandTile& first, const BandTile& second);
 
     Grid grid_;
     std::vector<BandTile> tiles_;

@@ -51,12 +51,10 @@ public:
             return slots_[i] + cell + offsets_[i];
     }
 
-    /// Asks for the cache lines of the arriving populations of a cell to be brought to the second level.
-    template <Streaming streaming>
+    /// Asks for the cache line of an arriving population to be brought to the second level.
+    template <Streaming streaming, int i>
     [[gnu::always_inline]] void fetch(std::int64_t cell) const {
-        for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
-            __builtin_prefetch(arriving<streaming, decltype(i)::value>(cell), 0, 2);
-        });
+        __builtin_prefetch(arriving<streaming, i>(cell), 0, 2);
     }
 
     /// The same as arriving(), for the rare reader that does not know the phase at compile time.

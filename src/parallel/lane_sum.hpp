@@ -13,13 +13,13 @@ namespace vesica {
 template <int fraction_bits>
 class LaneSum {
 public:
-    template <class T>
-    VESICA_INLINE void add(const Pack<T>& term) {
+    template <class T, int width>
+    VESICA_INLINE void add(const Pack<T, width>& term) {
         // x + 1.5 * 2^52 leaves round(x) in the low bits of the double: an integer without a conversion.
         constexpr double shifter = 6755399441055744.0;
         constexpr double scale = static_cast<double>(std::int64_t{1} << fraction_bits);
-        for (int k = 0; k < tile_width; ++k)
-            lanes_[k] += std::bit_cast<std::uint64_t>(static_cast<double>(term[k]) * scale + shifter) -
+        for (int k = 0; k < width; ++k)
+            lanes_[k % tile_width] += std::bit_cast<std::uint64_t>(static_cast<double>(term[k]) * scale + shifter) -
                          std::bit_cast<std::uint64_t>(shifter);
     }
 

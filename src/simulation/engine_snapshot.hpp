@@ -59,13 +59,13 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
         };
         const auto chi = lanes(fields.chi);
         const auto s = lanes(fields.s);
-        const detail::LaneVectors<Real> n(Layer<Real>::load(fields.n, t));
+        const detail::LaneVectors<Real> n(TileRun<Real>{&t}.load(fields.n));
         const bool curved = t.bits[reach::curvature] != 0;
         const auto H0 = lanes(fields.raw_H0); // sharpening, which Lap_s H needs, adds noise to H itself
         const auto force_H0 = lanes(fields.H0);
         const auto K0 = lanes(fields.K0);
         const auto J = lanes(fields.J);
-        const detail::LaneValues<Real> laplacian(t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(t)
+        const detail::LaneValues<Real> laplacian(t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(TileRun<Real>{&t})
                                                                            : V(0));
         const Vec3<int> origin = grid_.tile_origin(t.tile);
         for (int k = 0; k < tile_width; ++k) {

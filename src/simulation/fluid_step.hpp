@@ -41,8 +41,6 @@ template <class V>
 template <class Real, class Collision>
 class FluidStep {
 public:
-    using V = Pack<Real>;
-
     FluidStep() = default;
     FluidStep(const Grid& grid, const PopulationView<Real>& f, const Collision& collision,
               const StressRates& rates, double reference_density)
@@ -118,51 +116,86 @@ private:
         return static_cast<int>(std::max<std::int64_t>(cache / (3 * row_bytes), 4));
     }
 
-    /// The default collision has a text of its own for cells without a force; for the others one text is
-    /// enough.
-    static constexpr bool without_force_is_faster = true;
-
-    /// The machine foresees long runs of memory only: meanwhile it is asked for the row that comes next.
+    /// As many tiles at once as fill a register.
     template <Streaming streaming>
     void step_row(std::int64_t first, std::int64_t next_first, const LayerInfluence<Real>& layer) const {
-        constexpr int cells_per_line = 64 / static_cast<int>(sizeof(Real));
-        for (int x = 0; x < grid_.size().x; x += tile_width) {
-            const std::int64_t cell = first + x;
-            if (x % cells_per_line == 0)
-                f_.template fetch<streaming>(next_first + x);
-            const std::int64_t tile = cell / tile_width;
-            const V rate = layer.contrast ? local_rate(tile, layer) : V(rates_.outer);
-            const std::int32_t slot = layer.force_slot != nullptr ? layer.force_slot[tile] : -1;
-            if (without_force_is_faster && slot < 0) {
-                collide<streaming>(cell, Vec3<V>{V(0), V(0), V(0)}, rate);
-                continue;
-            }
-            Vec3<V> F{V(0), V(0), V(0)};
-            if (slot >= 0)
-                F = {V::load(layer.force.component(0) + slot), V::load(layer.force.component(1) + slot),
-                     V::load(layer.force.component(2) + slot)};
-            collide<streaming>(cell, F, rate);
+        constexpr int most = tiles_per_register<Real>;
+        for (int x = 0; x < grid_.size().x;) {
+            int tiles = 1;
+            if constexpr (most > 1)
+                if (x + most * tile_width <= grid_.size().x &&
+                    side_by_side<most>((first + x) / tile_width, layer))
+                    tiles = most;
+            if (tiles == most)
+                step_tiles<streaming, Pack<Real, most * tile_width>>(first + x, next_first + x, layer);
+            else
+                step_tiles<streaming, Pack<Real>>(first + x, next_first + x, layer);
+            x += tiles * tile_width;
         }
     }
 
+    /// Whether what the layer tells of these tiles can be read as one.
+    template <int count>
+    static bool side_by_side(std::int64_t tile, const LayerInfluence<Real>& layer) {
+        const auto follow = [&](const std::int32_t* slot) {
+            for (int k = 1; k < count; ++k)
+                if (slot[tile + k] != (slot[tile] < 0 ? -1 : slot[tile] + k * tile_width))
+                    return false;
+            return true;
+        };
+        return layer.force_slot == nullptr ||
+               (follow(layer.force_slot) && (!layer.contrast || follow(layer.colour_slot)));
+    }
+
+    /// Cells without a force have a text of their own.
+    template <Streaming streaming, class V>
+    VESICA_INLINE void step_tiles(std::int64_t cell, std::int64_t next,
+                                  const LayerInfluence<Real>& layer) const {
+        const std::int64_t tile = cell / tile_width;
+        const V rate = layer.contrast ? local_rate<V>(tile, layer) : V(rates_.outer);
+        const std::int32_t slot = layer.force_slot != nullptr ? layer.force_slot[tile] : -1;
+        if (slot < 0)
+            collide<streaming>(cell, next, Vec3<V>{V(0), V(0), V(0)}, rate);
+        else
+            collide<streaming>(cell, next,
+                               Vec3<V>{V::load(layer.force.component(0) + slot),
+                                       V::load(layer.force.component(1) + slot),
+                                       V::load(layer.force.component(2) + slot)},
+                               rate);
+    }
+
+    template <class V>
     V local_rate(std::int64_t tile, const LayerInfluence<Real>& layer) const {
         const std::int32_t slot = layer.colour_slot[tile];
         if (slot >= 0)
             return rate_between(rates_, V::load(layer.red + slot));
-        return select<Real>(V::mask(layer.inside[tile]), V(rates_.inner), V(rates_.outer));
+        std::uint32_t inside = layer.inside[tile];
+        for (int k = 1; k < V::width / tile_width; ++k)
+            inside |= std::uint32_t{layer.inside[tile + k]} << (k * tile_width);
+        return select<Real>(V::mask(inside), V(rates_.inner), V(rates_.outer));
     }
 
-    template <Streaming streaming>
-    VESICA_INLINE void collide(std::int64_t cell, const Vec3<V>& F, const V& rate) const {
+    /// The machine foresees long runs of memory only: meanwhile it is asked for the row that comes next, line
+    /// by line between the rest, as it takes few requests at a time.
+    template <Streaming streaming, class V>
+    VESICA_INLINE void collide(std::int64_t cell, std::int64_t next, const Vec3<V>& F, const V& rate) const {
+        const auto fetch = [&](auto i, bool wanted) VESICA_INLINE_LAMBDA {
+            if (wanted && (V::bytes == cache_line || next % (cache_line / sizeof(Real)) == 0))
+                f_.template fetch<streaming, decltype(i)::value>(next);
+        };
         V g[direction_count];
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
             g[i] = V::load(f_.template arriving<streaming, decltype(i)::value>(cell));
+            fetch(i, i % 2 == 0);
         });
         collision_(g, F, rate, V(rho0_));
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
             g[i].store(f_.template departing<streaming, decltype(i)::value>(cell));
+            fetch(i, i % 2 == 1);
         });
     }
+
+    static constexpr int cache_line = 64;
 
     Grid grid_;
     PopulationView<Real> f_;

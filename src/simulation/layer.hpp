@@ -47,8 +47,6 @@ struct alignas(64) TransportSums {
 template <class Real>
 class Layer {
 public:
-    using V = Pack<Real>;
-
     Layer(const Grid& grid, const LayerSettings& settings)
         : settings_(settings),
           spread_force_(settings.cutoff),
@@ -112,11 +110,12 @@ public:
 
     /// Density of every cell that needs it, from the populations; transport does the same on its way.
     void weigh(const PopulationView<Real>& f, Streaming streaming, int threads) {
-        for_tiles(reach::receiving, threads, [&](const BandTile& t) {
+        for_tiles(reach::receiving, threads, [&]<class Tiles>(const Tiles& t) {
+            using V = typename Tiles::V;
             V g[direction_count];
             for (int i = 0; i < direction_count; ++i)
-                g[i] = load_shifted(f, streaming, i, t.cell);
-            density_of(g).store(fields_.density.data() + t.slot());
+                g[i] = V::load(f.find(streaming, i, t.cell()));
+            t.store(density_of(g), fields_.density);
         });
     }
 
@@ -125,31 +124,34 @@ public:
     void locate(int threads) {
         constexpr double purest =
             1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
-        const V correction = V(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
+        const Real correction = static_cast<Real>(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
         std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
         struct alignas(64) Departed {
             unsigned bits = 0;
         };
         std::vector<Departed> departed(static_cast<std::size_t>(threads));
         core_bits_.resize(band_.tiles().size());
-        for_tiles(Band::outermost, threads, [&](const BandTile& t, std::size_t index, int thread) {
-            const V density = V::load(fields_.density.data() + t.slot());
-            V chi = V::load(fields_.chi.data() + t.slot());
-            const auto holds_both = V::mask(t.bits[reach::colour]);
+        for_tiles(Band::outermost, threads, [&]<class Tiles>(const Tiles& t, std::size_t index, int thread) {
+            using V = typename Tiles::V;
+            const V density = t.load(fields_.density);
+            V chi = t.load(fields_.chi);
+            const auto holds_both = t.cells_of(reach::colour);
             // The side stays as it is: a pure red cell is -0, and -0 plus a zero share of the correction
             // would be +0, blue.
             const V corrected =
-                with_sign_bit<Real>(sign_bit(chi), chi + correction * layer_density(chi) / density);
+                with_sign_bit<Real>(sign_bit(chi), chi + V(correction) * layer_density(chi) / density);
             chi = select<Real>(holds_both, corrected, chi);
-            chi.store(fields_.chi.data() + t.slot());
-            red_fraction(chi).store(fields_.red.data() + t.slot());
-            blue_fraction(chi).store(fields_.blue.data() + t.slot());
-            signed_distance_of(chi, V(purest), settings_.beta).store(fields_.s.data() + t.slot());
-            spread_force_.profile(phase_of(chi)).store(fields_.psi.data() + t.slot());
+            t.store(chi, fields_.chi);
+            t.store(red_fraction(chi), fields_.red);
+            t.store(blue_fraction(chi), fields_.blue);
+            t.store(signed_distance_of(chi, V(purest), settings_.beta), fields_.s);
+            t.store(spread_force_.profile(phase_of(chi)), fields_.psi);
             const V layer = layer_density(chi);
             area[at(thread)].add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
-            core_bits_[index] = bits_of((layer > V(settings_.cutoff)) & holds_both);
-            departed[at(thread)].bits |= core_bits_[index] & ~unsigned{t.bits[reach::force]};
+            const std::uint32_t core = bits_of<V>((layer > V(settings_.cutoff)) & holds_both);
+            for (int k = 0; k < Tiles::count; ++k)
+                core_bits_[index + at(k)] = static_cast<std::uint8_t>(core >> (k * tile_width));
+            departed[at(thread)].bits |= core & ~t.bits(reach::force);
         });
         sums_.raw_area = merged(area);
         core_has_left_ = std::any_of(departed.begin(), departed.end(),
@@ -167,17 +169,19 @@ public:
     /// n = grad s/|grad s| (mapped) or -grad phi/|grad phi| (paper), and the segregation flux.
     void normals(int threads) {
         if (mapped()) {
-            for_tiles(reach::receiving, threads, [&](const BandTile& t) { // normals differentiate it
-                sharpened<V>(around(fields_.s, t), 1.0).store(fields_.sharp.data() + t.slot());
+            for_tiles(reach::receiving, threads, [&]<class Tiles>(const Tiles& t) {
+                using V = typename Tiles::V;
+                t.store(sharpened<V>(around(fields_.s, t), 1.0), fields_.sharp); // normals differentiate it
             });
             exchange({fields_.sharp}, threads);
         }
-        for_tiles(reach::colour, threads, [&](const BandTile& t) {
+        for_tiles(reach::colour, threads, [&]<class Tiles>(const Tiles& t) {
+            using V = typename Tiles::V;
             const Vec3<V> n = unit_vector(outward_gradient(t));
-            const V chi = V::load(fields_.chi.data() + t.slot());
-            const V density = V::load(fields_.density.data() + t.slot());
-            store(n, fields_.n, t);
-            store(segregation_flux(chi, density, n, settings_.beta), fields_.w, t);
+            const V chi = t.load(fields_.chi);
+            const V density = t.load(fields_.density);
+            t.store(n, fields_.n);
+            t.store(segregation_flux(chi, density, n, settings_.beta), fields_.w);
         });
         exchange({fields_.n[0], fields_.n[1], fields_.n[2], fields_.w[0], fields_.w[1], fields_.w[2]},
                  threads);
@@ -187,19 +191,20 @@ public:
     void curvatures(int threads) {
         std::vector<LaneSum<38>> gaussian(static_cast<std::size_t>(threads));
         std::vector<LaneSum<38>> square(static_cast<std::size_t>(threads));
-        for_tiles(reach::raw_curvature, threads, [&](const BandTile& t, std::size_t, int thread) {
-            const Vec3<V> n = load(fields_.n, t);
+        for_tiles(reach::raw_curvature, threads, [&]<class Tiles>(const Tiles& t, std::size_t, int thread) {
+            using V = typename Tiles::V;
+            const Vec3<V> n = t.load(fields_.n);
             const Jacobian<V> G = jacobian<V>(around(fields_.n, t));
-            const V s = V::load(fields_.s.data() + t.slot());
+            const V s = t.load(fields_.s);
             const Curvatures<V> here = mapped() ? curvatures_of(G, n) : paper_curvatures_of(G, n);
             const Curvatures<V> surface = mapped() ? map_to_mid_surface(here, s) : here;
-            surface.H.store(fields_.raw_H0.data() + t.slot());
+            t.store(surface.H, fields_.raw_H0);
             if (!mapped())
-                surface.H.store(fields_.H0.data() + t.slot());
-            surface.K.store(fields_.K0.data() + t.slot());
-            (mapped() ? area_to_mid_surface(here, s) : V(1)).store(fields_.J.data() + t.slot());
-            const V weight = V(0.5 * settings_.beta) * layer_density(V::load(fields_.chi.data() + t.slot()));
-            const auto counted = V::mask(t.bits[reach::raw_curvature]);
+                t.store(surface.H, fields_.H0);
+            t.store(surface.K, fields_.K0);
+            t.store(mapped() ? area_to_mid_surface(here, s) : V(1), fields_.J);
+            const V weight = V(0.5 * settings_.beta) * layer_density(t.load(fields_.chi));
+            const auto counted = t.cells_of(reach::raw_curvature);
             gaussian[at(thread)].add(select<Real>(counted, weight * here.K, V(0)));
             square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
         });
@@ -208,37 +213,41 @@ public:
         exchange({fields_.raw_H0}, threads);
         if (!mapped())
             return;
-        for_tiles(reach::curvature, threads, [&](const BandTile& t) {
-            const TileAround<Real> H = around(fields_.raw_H0, t);
-            sharpened<V>(H, 1.0).store(fields_.H0.data() + t.slot());    // the derivative that made H of n
-            sharpened<V>(H, 3.0).store(fields_.sharp.data() + t.slot()); // and the two that make Lap_s H of H
+        for_tiles(reach::curvature, threads, [&]<class Tiles>(const Tiles& t) {
+            using V = typename Tiles::V;
+            const auto H = around(fields_.raw_H0, t);
+            t.store(sharpened<V>(H, 1.0), fields_.H0);    // the derivative that made H of n
+            t.store(sharpened<V>(H, 3.0), fields_.sharp); // and the two that make Lap_s H of H
         });
         exchange({fields_.sharp}, threads);
     }
 
     /// grad H0 along the surface.
     void slopes(int threads) {
-        for_tiles(reach::slope, threads, [&](const BandTile& t) {
+        for_tiles(reach::slope, threads, [&]<class Tiles>(const Tiles& t) {
+            using V = typename Tiles::V;
             if (!mapped()) {
-                store(gradient<V>(around(fields_.raw_H0, t)), fields_.g, t);
+                t.store(gradient<V>(around(fields_.raw_H0, t)), fields_.g);
                 return;
             }
-            const Vec3<V> n = load(fields_.n, t);
+            const Vec3<V> n = t.load(fields_.n);
             const Vec3<V> g = tangential(gradient<V>(around(fields_.sharp, t)), n);
-            const V s = V::load(fields_.s.data() + t.slot());
-            const V J = V::load(fields_.J.data() + t.slot());
-            store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, J), fields_.g, t);
+            const V s = t.load(fields_.s);
+            const V J = t.load(fields_.J);
+            t.store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, J), fields_.g);
         });
         exchange({fields_.g[0], fields_.g[1], fields_.g[2]}, threads);
     }
 
-    VESICA_INLINE V laplace_beltrami_of_H(const BandTile& t) const {
-        const Vec3<V> n = load(fields_.n, t);
+    template <class Tiles>
+    VESICA_INLINE typename Tiles::V laplace_beltrami_of_H(const Tiles& t) const {
+        using V = typename Tiles::V;
+        const Vec3<V> n = t.load(fields_.n);
         const Jacobian<V> d = jacobian<V>(around(fields_.g, t));
         if (mapped())
-            return surface_divergence(d, n) / V::load(fields_.J.data() + t.slot());
-        const TileAround<Real> H = around(fields_.raw_H0, t);
-        return paper_laplace_beltrami(laplacian<V>(H), d, load(fields_.g, t), n, H(Direction<0>{}));
+            return surface_divergence(d, n) / t.load(fields_.J);
+        const auto H = around(fields_.raw_H0, t);
+        return paper_laplace_beltrami(laplacian<V>(H), d, t.load(fields_.g), n, H(Direction<0>{}));
     }
 
     /// Membrane forces, spread over the layer.
@@ -247,26 +256,23 @@ public:
                    membrane.bending);
     }
 
-    VESICA_INLINE Vec3<V> phase_gradient(const BandTile& t) const {
-        return gradient<V>(PhaseAround<Real>{{fields_.chi.data(), t.rows}});
-    }
-
-    VESICA_INLINE static Vec3<V> load(const std::span<Real> (&a)[3], const BandTile& t) {
-        return {V::load(a[0].data() + t.slot()), V::load(a[1].data() + t.slot()),
-                V::load(a[2].data() + t.slot())};
+    template <class Tiles>
+    VESICA_INLINE Vec3<typename Tiles::V> phase_gradient(const Tiles& t) const {
+        return gradient<typename Tiles::V>(PhaseAround<Real, Tiles::V::width>{around(fields_.chi, t)});
     }
 
 private:
     template <class Bending>
     void forces_of(const Bending& bending, const TensionLaw& tension, int threads) {
         const FieldView<Real> force = force_.view();
-        for_tiles(reach::force, threads, [&](const BandTile& t) {
-            const V H = V::load(fields_.H0.data() + t.slot());
-            const V K = V::load(fields_.K0.data() + t.slot());
+        for_tiles(reach::force, threads, [&]<class Tiles>(const Tiles& t) {
+            using V = typename Tiles::V;
+            const V H = t.load(fields_.H0);
+            const V K = t.load(fields_.K0);
             const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
             const Vec3<V> slope = gradient<V>(around(fields_.psi, t));
             const Vec3<V> F = spread_force_(slope, normal_force);
-            const auto here = V::mask(t.bits[reach::force]);
+            const auto here = t.cells_of(reach::force);
             select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
             select<Real>(here, F.y, V(0)).store(force.component(1) + t.slot());
             select<Real>(here, F.z, V(0)).store(force.component(2) + t.slot());
@@ -277,32 +283,31 @@ private:
 
     static std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
-    static std::uint8_t bits_of(const typename V::Mask& mask) {
-        unsigned bits = 0;
-        for (int k = 0; k < tile_width; ++k)
+    template <class V>
+    static std::uint32_t bits_of(const typename V::Mask& mask) {
+        std::uint32_t bits = 0;
+        for (int k = 0; k < V::width; ++k)
             bits |= (mask[k] ? 1u : 0u) << k;
-        return static_cast<std::uint8_t>(bits);
+        return bits;
     }
 
+    template <class V>
     VESICA_INLINE V density_of(const V (&g)[direction_count]) const {
         V sum = g[0];
         for_each_pair([&](auto i) VESICA_INLINE_LAMBDA { sum += g[i] + g[opposite(decltype(i)::value)]; });
         return V(settings_.reference_density) + sum;
     }
 
-    static V load_shifted(const PopulationView<Real>& f, Streaming streaming, int i, std::int64_t cell) {
-        return V::load(f.find(streaming, i, cell));
-    }
-
     template <Streaming streaming>
     void transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
                          TransportSums& sums);
-    template <Streaming streaming>
-    VESICA_INLINE void transport_tile(const PopulationView<Real>& f, const BandTile& t, TransportSums& sums);
+    template <Streaming streaming, class Tiles>
+    VESICA_INLINE void transport_tile(const PopulationView<Real>& f, const Tiles& t, TransportSums& sums);
 
-    VESICA_INLINE Vec3<V> outward_gradient(const BandTile& t) const {
+    template <class Tiles>
+    VESICA_INLINE Vec3<typename Tiles::V> outward_gradient(const Tiles& t) const {
         if (mapped())
-            return gradient<V>(around(fields_.sharp, t));
+            return gradient<typename Tiles::V>(around(fields_.sharp, t));
         return -phase_gradient(t);
     }
 
@@ -327,34 +332,37 @@ private:
         return total.value();
     }
 
-    VESICA_INLINE static void store(const Vec3<V>& value, std::span<Real> (&a)[3], const BandTile& t) {
-        value.x.store(a[0].data() + t.slot());
-        value.y.store(a[1].data() + t.slot());
-        value.z.store(a[2].data() + t.slot());
-    }
-
-    VESICA_INLINE static TileAround<Real> around(const std::span<Real>& a, const BandTile& t) {
-        return {a.data(), t.rows};
-    }
-    VESICA_INLINE static Vec3<TileAround<Real>> around(const std::span<Real> (&a)[3], const BandTile& t) {
-        return {{a[0].data(), t.rows}, {a[1].data(), t.rows}, {a[2].data(), t.rows}};
-    }
-
-    /// body(tile) or body(tile, index, thread) for every tile with cells in `level`.
+    /// body(tiles) or body(tiles, index of the first, thread) for all tiles with cells in `level`.
     template <class Body>
     void for_tiles(int level, int threads, const Body& body) const {
         const std::vector<std::int32_t>& list = band_.of_level(level);
         for_each_block(static_cast<std::int64_t>(list.size()), threads,
                        [&](int thread, std::int64_t begin, std::int64_t end) {
-                           for (std::int64_t k = begin; k < end; ++k) {
-                               const std::size_t index = at(list[at(k)]);
-                               if constexpr (std::is_invocable_v<Body, const BandTile&>)
-                                   body(band_.tiles()[index]);
+                           for_each_run(list, begin, end, [&](const auto& tiles, std::size_t index) {
+                               if constexpr (std::is_invocable_v<Body, decltype(tiles)>)
+                                   body(tiles);
                                else
-                                   body(band_.tiles()[index], index, thread);
-                           }
+                                   body(tiles, index, thread);
+                           });
                        });
-        static_cast<void>(threads);
+    }
+
+    /// body(tiles, index of the first) for list[begin] .. list[end - 1], as many tiles at once as lie side by
+    /// side and fill a register.
+    template <class Body>
+    VESICA_INLINE void for_each_run(const std::vector<std::int32_t>& list, std::int64_t begin,
+                                    std::int64_t end, const Body& body) const {
+        for (std::int64_t k = begin; k < end; ++k) {
+            const std::size_t index = at(list[at(k)]);
+            const BandTile* const first = &band_.tiles()[index];
+            if constexpr (tiles_per_register<Real> == 2)
+                if (first->followed && k + 1 < end && list[at(k + 1)] == list[at(k)] + 1) {
+                    body(TileRun<Real, 2 * tile_width>{first}, index);
+                    ++k;
+                    continue;
+                }
+            body(TileRun<Real>{first}, index);
+        }
     }
 
     /// Ghost cells of the band take the values of the cells they mirror.

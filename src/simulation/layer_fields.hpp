@@ -3,6 +3,7 @@
 #include "lattice/band.hpp"
 #include "lattice/field.hpp"
 #include "parallel/pack.hpp"
+#include "simulation/tile_run.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -62,39 +63,26 @@ private:
     Field<Real> memory_;
 };
 
-/// The value of a compact array in a tile's cells shifted by a lattice link.
-template <class Real>
-struct TileAround {
-    const Real* values;
-    const std::int32_t* rows;
-
-    template <int i>
-    VESICA_INLINE Pack<Real> operator()(Direction<i>) const {
-        constexpr int row = (velocity(i, 1) + 1) + 3 * (velocity(i, 2) + 1);
-        return Pack<Real>::load(values + rows[row] + velocity(i, 0));
-    }
-};
-
 /// phi around, from chi.
-template <class Real>
+template <class Real, int width>
 struct PhaseAround {
-    TileAround<Real> chi;
+    Around<Real, width> chi;
 
     template <int i>
-    VESICA_INLINE Pack<Real> operator()(Direction<i> direction) const {
+    VESICA_INLINE Pack<Real, width> operator()(Direction<i> direction) const {
         return phase_of(chi(direction));
     }
 };
 
 /// The fraction of one colour around, chosen by the cell in the middle.
-template <class Real>
+template <class Real, int width>
 struct MinorityAround {
-    typename Pack<Real>::Mask blue_is_minor;
-    TileAround<Real> red;
-    TileAround<Real> blue;
+    typename Pack<Real, width>::Mask blue_is_minor;
+    Around<Real, width> red;
+    Around<Real, width> blue;
 
     template <int i>
-    VESICA_INLINE Pack<Real> operator()(Direction<i> direction) const {
+    VESICA_INLINE Pack<Real, width> operator()(Direction<i> direction) const {
         return select<Real>(blue_is_minor, blue(direction), red(direction));
     }
 };

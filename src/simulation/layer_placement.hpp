@@ -77,6 +77,7 @@ void Layer<Real>::let_go(const std::vector<BandTile>& tiles, const std::vector<R
                          const std::vector<Real>& density, const std::vector<std::uint8_t>& kept) {
     // A droplet that fades away far from the rest may leave nearly all it had at the cutoff: room for that.
     LaneSum<50> gone;
+    using V = Pack<Real>;
     const V per_reference = V(1.0 / settings_.reference_density);
     layer_sum_ = 0.0;
     for (const BandTile& t : tiles) {

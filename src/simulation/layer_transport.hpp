@@ -34,31 +34,33 @@ template <Streaming streaming>
 void Layer<Real>::transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
                                   TransportSums& sums) {
     TransportSums here; // the compiler knows that nothing else refers to it
-    for (std::size_t k = begin; k < end; ++k)
-        transport_tile<streaming>(f, band_.tiles()[at(band_.of_level(reach::receiving)[k])], here);
+    for_each_run(band_.of_level(reach::receiving), static_cast<std::int64_t>(begin),
+                 static_cast<std::int64_t>(end),
+                 [&](const auto& t, std::size_t) { transport_tile<streaming>(f, t, here); });
     sums.merge(here);
 }
 
 template <class Real>
-template <Streaming streaming>
-VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, const BandTile& t,
+template <Streaming streaming, class Tiles>
+VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, const Tiles& t,
                                                TransportSums& sums) {
+    using V = typename Tiles::V;
     V g[direction_count];
     for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
-        g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
+        g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell()));
     });
     const V density = density_of(g);
-    const V before = V::load(fields_.chi.data() + t.slot());
+    const V before = t.load(fields_.chi);
     const auto blue_was_minor = sign_bit(before);
-    const ColourDensities<V> arrived =
-        gather_colours(g, V(settings_.reference_density), density, blue_was_minor,
-                       MinorityAround<Real>{blue_was_minor, around(fields_.red, t), around(fields_.blue, t)},
-                       around(fields_.w, t));
+    const ColourDensities<V> arrived = gather_colours(
+        g, V(settings_.reference_density), density, blue_was_minor,
+        MinorityAround<Real, V::width>{blue_was_minor, around(fields_.red, t), around(fields_.blue, t)},
+        around(fields_.w, t));
     const auto blue_is_minor = arrived.blue < arrived.red;
     const V minority = smaller(arrived.red, arrived.blue);
     const V kept = larger(minority, V(0));
-    const auto holds_both = V::mask(t.bits[reach::colour]);
-    const auto received = V::mask(t.bits[reach::receiving]);
+    const auto holds_both = t.cells_of(reach::colour);
+    const auto received = t.cells_of(reach::receiving);
     const V stays = select<Real>(holds_both, kept, V(0));
     const V gone = minority - stays;
     // Exact sums have a range: amounts are counted in cells' worth of fluid, whatever its density.
@@ -66,8 +68,8 @@ VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, co
     sums.leaked.add(select<Real>(received, lost, V(0)));
     const V chi = with_sign_bit<Real>(blue_is_minor, stays / density);
     sums.layer.add(select<Real>(holds_both, layer_density(chi), V(0)));
-    select<Real>(received, chi, before).store(fields_.chi.data() + t.slot());
-    density.store(fields_.density.data() + t.slot());
+    t.store(select<Real>(received, chi, before), fields_.chi);
+    t.store(density, fields_.density);
 }
 
 template <class Real>
