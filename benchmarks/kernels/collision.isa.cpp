@@ -15,7 +15,7 @@ namespace {
 /// of in-place streaming does.
 template <class Real, bool forced, class Collision>
 void collide(benchmark::State& state, std::int64_t cells, const Collision& collision) {
-    using V = Pack<Real>;
+    using V = Pack<Real, tile_width * tiles_per_register<Real>>;
     Field<Real> populations(direction_count, cells);
     const FieldView<Real> f = populations.view();
     for (int i = 0; i < direction_count; ++i)
@@ -30,7 +30,7 @@ void collide(benchmark::State& state, std::int64_t cells, const Collision& colli
         benchmark::DoNotOptimize(F);
     }
     for (auto _ : state) {
-        for (std::int64_t cell = 0; cell < cells; cell += tile_width) {
+        for (std::int64_t cell = 0; cell < cells; cell += V::width) {
             V g[direction_count];
             for_each_direction([&](auto i) VESICA_INLINE_LAMBDA { g[i] = V::load(f.component(i) + cell); });
             collision(g, F, rate, V(1));

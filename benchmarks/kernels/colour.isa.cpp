@@ -9,31 +9,32 @@ namespace {
 
 template <class Real>
 void add_all(const char* isa_name, const Vec3<int>& size) {
-    using V = Pack<Real>;
     using Here = Surroundings<Real>;
-    constexpr double beta = 0.67;
+    static constexpr double beta = 0.67;
 
-    add_kernel<Real>("colour/gather", isa_name, size, [](Here& here, const BandTile& t) {
+    add_kernel<Real>("colour/gather", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
+        using V = typename Tiles::V;
         V g[direction_count];
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
             g[i] = V::load(here.populations.view().component(i) + t.slot());
         });
-        const auto blue_is_minor = sign_bit(here.load(here.fields.chi, t));
+        const auto blue_is_minor = sign_bit(t.load(here.fields.chi));
         const ColourDensities<V> arrived =
-            gather_colours(g, V(1), here.load(here.fields.density, t), blue_is_minor,
-                           MinorityAround<Real>{blue_is_minor, here.around(here.fields.red, t),
-                                                here.around(here.fields.blue, t)},
-                           here.around(here.fields.w, t));
-        here.store(arrived.red, here.fields.s, t);
-        here.store(arrived.blue, here.fields.sharp, t);
+            gather_colours(g, V(1), t.load(here.fields.density), blue_is_minor,
+                           MinorityAround<Real, V::width>{blue_is_minor, around(here.fields.red, t),
+                                                          around(here.fields.blue, t)},
+                           around(here.fields.w, t));
+        t.store(arrived.red, here.fields.s);
+        t.store(arrived.blue, here.fields.sharp);
     });
-    add_kernel<Real>("colour/segregation_flux", isa_name, size, [](Here& here, const BandTile& t) {
-        here.store(segregation_flux(here.load(here.fields.chi, t), here.load(here.fields.density, t),
-                                    here.load(here.fields.n, t), beta),
-                   here.fields.w, t);
+    add_kernel<Real>("colour/segregation_flux", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
+        t.store(segregation_flux(t.load(here.fields.chi), t.load(here.fields.density), t.load(here.fields.n),
+                                 beta),
+                here.fields.w);
     });
-    add_kernel<Real>("colour/signed_distance", isa_name, size, [](Here& here, const BandTile& t) {
-        here.store(signed_distance_of(here.load(here.fields.chi, t), V(1e-8), beta), here.fields.s, t);
+    add_kernel<Real>("colour/signed_distance", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
+        using V = typename Tiles::V;
+        t.store(signed_distance_of(t.load(here.fields.chi), V(1e-8), beta), here.fields.s);
     });
 }
 

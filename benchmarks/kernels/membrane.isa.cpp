@@ -13,32 +13,33 @@ namespace {
 
 template <class Real, class Law>
 void add_law(const std::string& name, const char* isa_name, const Vec3<int>& size, const Law& law) {
-    add_kernel<Real>(name, isa_name, size, [law](Surroundings<Real>& here, const BandTile& t) {
-        here.store(law.force(here.load(here.fields.H0, t), here.load(here.fields.K0, t),
-                             here.load(here.fields.sharp, t)),
-                   here.fields.next, t);
+    add_kernel<Real>(name, isa_name, size, [law]<class Tiles>(Surroundings<Real>& here, const Tiles& t) {
+        t.store(law.force(t.load(here.fields.H0), t.load(here.fields.K0), t.load(here.fields.sharp)),
+                here.fields.psi);
     });
 }
 
 template <class Real>
 void add_all(const char* isa_name, const Vec3<int>& size) {
-    using V = Pack<Real>;
     using Here = Surroundings<Real>;
 
     add_law<Real>("membrane/helfrich", isa_name, size, HelfrichLaw{0.1, 0.05});
     add_law<Real>("membrane/paper_bending", isa_name, size, PaperBendingLaw{0.1, 1.5});
     add_kernel<Real>("membrane/tension", isa_name, size,
-                     [law = TensionLaw{1e-3}](Here& here, const BandTile& t) {
-                         here.store(law.force(here.load(here.fields.H0, t)), here.fields.next, t);
+                     [law = TensionLaw{1e-3}]<class Tiles>(Here& here, const Tiles& t) {
+                         t.store(law.force(t.load(here.fields.H0)), here.fields.psi);
                      });
     const LayerForce spread(1e-2);
-    add_kernel<Real>("membrane/force_profile", isa_name, size, [spread](Here& here, const BandTile& t) {
-        here.store(spread.profile(phase_of(here.load(here.fields.chi, t))), here.fields.next, t);
-    });
-    add_kernel<Real>("membrane/layer_force", isa_name, size, [spread](Here& here, const BandTile& t) {
-        const Vec3<V> slope = gradient<V>(here.around(here.fields.sharp, t));
-        here.store(spread(slope, here.load(here.fields.H0, t)), here.fields.w, t);
-    });
+    add_kernel<Real>("membrane/force_profile", isa_name, size,
+                     [spread]<class Tiles>(Here& here, const Tiles& t) {
+                         t.store(spread.profile(phase_of(t.load(here.fields.chi))), here.fields.psi);
+                     });
+    add_kernel<Real>("membrane/layer_force", isa_name, size,
+                     [spread]<class Tiles>(Here& here, const Tiles& t) {
+                         using V = typename Tiles::V;
+                         const Vec3<V> slope = gradient<V>(around(here.fields.sharp, t));
+                         t.store(spread(slope, t.load(here.fields.H0)), here.fields.w);
+                     });
 }
 
 } // namespace

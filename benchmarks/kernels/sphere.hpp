@@ -51,7 +51,7 @@ struct Sphere {
             const double s = distance(cell);
             return static_cast<Real>(with_sign_bit(s < 0.0, minority(s)));
         };
-        layer.place(core, chi_at, std::move(inside));
+        layer.place(core, chi_at, std::move(inside), 1);
     }
 
     LayerInfluence<Real> influence() const {

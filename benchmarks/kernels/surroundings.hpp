@@ -16,8 +16,6 @@ namespace vesica {
 template <class Real>
 class Surroundings {
 public:
-    using V = Pack<Real>;
-
     explicit Surroundings(const Vec3<int>& size) : grid_(size), band_(grid_) {
         std::vector<Band::Seed> all;
         for (int z = 0; z < size.z; ++z)
@@ -30,30 +28,9 @@ public:
         fill();
     }
 
-    const std::vector<BandTile>& tiles() const { return band_.tiles(); }
+    const Band& band() const { return band_; }
     const Vec3<int>& size() const { return grid_.size(); }
     std::int64_t cells() const { return grid_.volume(); }
-
-    VESICA_INLINE V load(const std::span<Real>& a, const BandTile& t) const {
-        return V::load(a.data() + t.slot());
-    }
-    VESICA_INLINE Vec3<V> load(const std::span<Real> (&a)[3], const BandTile& t) const {
-        return {load(a[0], t), load(a[1], t), load(a[2], t)};
-    }
-    VESICA_INLINE void store(const V& value, std::span<Real> a, const BandTile& t) const {
-        value.store(a.data() + t.slot());
-    }
-    VESICA_INLINE void store(const Vec3<V>& value, std::span<Real> (&a)[3], const BandTile& t) const {
-        store(value.x, a[0], t);
-        store(value.y, a[1], t);
-        store(value.z, a[2], t);
-    }
-    VESICA_INLINE TileAround<Real> around(const std::span<Real>& a, const BandTile& t) const {
-        return {a.data(), t.rows};
-    }
-    VESICA_INLINE Vec3<TileAround<Real>> around(const std::span<Real> (&a)[3], const BandTile& t) const {
-        return {around(a[0], t), around(a[1], t), around(a[2], t)};
-    }
 
     LayerFields<Real> fields;
     Field<Real> populations; ///< deviations, by compact address
@@ -101,20 +78,21 @@ Surroundings<Real>& surroundings(const Vec3<int>& size) {
 /// Arrays that lie in a first-level cache (a few kilobytes each), in a second-level one, and in memory.
 inline constexpr Vec3<int> surroundings_sizes[] = {{16, 4, 4}, {16, 16, 16}, {128, 128, 128}};
 
-/// Registers `kernel(surroundings, tile)`, to be called for every tile of the box.
+/// Registers `kernel(surroundings, run)`, to be called for every run of tiles of the box.
 template <class Real, class Kernel>
 void add_kernel(const std::string& name, const char* isa_name, const Vec3<int>& size, const Kernel& kernel) {
     const std::int64_t cells = Grid(size).volume();
-    benchmark::RegisterBenchmark(benchmark_name<Real>(name, isa_name, cells).c_str(),
-                                 [=](benchmark::State& state) {
-                                     Surroundings<Real>& here = surroundings<Real>(size);
-                                     for (auto _ : state) {
-                                         for (const BandTile& t : here.tiles())
-                                             kernel(here, t);
-                                         benchmark::ClobberMemory();
-                                     }
-                                     report_cells(state, here.cells());
-                                 });
+    benchmark::RegisterBenchmark(
+        benchmark_name<Real>(name, isa_name, cells).c_str(), [=](benchmark::State& state) {
+            Surroundings<Real>& here = surroundings<Real>(size);
+            for (auto _ : state) {
+                for_each_run<Real>(here.band(), Band::outermost, 0,
+                                   static_cast<std::int64_t>(here.band().tiles().size()),
+                                   [&](const auto& t, std::size_t) { kernel(here, t); });
+                benchmark::ClobberMemory();
+            }
+            report_cells(state, here.cells());
+        });
 }
 
 /// Calls add.template operator()<Real>(size) for both precisions and all sizes.

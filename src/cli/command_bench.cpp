@@ -25,9 +25,9 @@ void declare_bench(CLI::App& app, Action& action) {
         ->take_all()
         ->allow_extra_args(false);
     command
-        ->add_option("--case", arguments->options.cases,
-                     fmt::format("Measure this case only ({}); may be repeated",
-                                 fmt::join(bench_case_names(), ", ")))
+        ->add_option(
+            "--case", arguments->options.cases,
+            fmt::format("Measure this case only ({}); may be repeated", fmt::join(bench_case_names(), ", ")))
         ->type_name("NAME")
         ->expected(1)
         ->take_all()

@@ -76,8 +76,8 @@ private:
                                                            EvenParts<V>& after) const {
         const V axes = before.axis[0] + before.axis[1] + before.axis[2];
         const V planes = before.plane[0] + before.plane[1] + before.plane[2];
-        const V scalar = ghosts.template kept<GhostFamily::even_scalar>(rate) *
-                         fma(V(-2), axes, before.rest + planes);
+        const V scalar =
+            ghosts.template kept<GhostFamily::even_scalar>(rate) * fma(V(-2), axes, before.rest + planes);
         after.rest = fma(V(1.0 / 6.0), scalar, after.rest);
         const V tensor_kept = ghosts.template kept<GhostFamily::even_tensor>(rate);
         const V mean = V(1.0 / 3.0) * (axes + planes);

@@ -19,8 +19,9 @@ public:
         constexpr double shifter = 6755399441055744.0;
         constexpr double scale = static_cast<double>(std::int64_t{1} << fraction_bits);
         for (int k = 0; k < width; ++k)
-            lanes_[k % tile_width] += std::bit_cast<std::uint64_t>(static_cast<double>(term[k]) * scale + shifter) -
-                         std::bit_cast<std::uint64_t>(shifter);
+            lanes_[k % tile_width] +=
+                std::bit_cast<std::uint64_t>(static_cast<double>(term[k]) * scale + shifter) -
+                std::bit_cast<std::uint64_t>(shifter);
     }
 
     void merge(const LaneSum& other) {

@@ -34,10 +34,10 @@ inline constexpr int register_bytes = 16;
 /// How many tiles of such numbers a register holds: a pass over tiles that follow each other takes so many at
 /// once.
 template <class T>
-inline constexpr int tiles_per_register =
-    detail::register_bytes > tile_width * static_cast<int>(sizeof(T))
-        ? detail::register_bytes / (tile_width * static_cast<int>(sizeof(T)))
-        : 1;
+inline constexpr int tiles_per_register = detail::register_bytes > tile_width* static_cast<int>(sizeof(T))
+                                              ? detail::register_bytes /
+                                                    (tile_width * static_cast<int>(sizeof(T)))
+                                              : 1;
 
 /// The numbers of a tile, or of two that follow each other, handled as one: as many machine registers as they
 /// need, on the vector extension of GCC and clang. The same text runs on SSE2, AVX2 and AVX-512. This is the
@@ -173,7 +173,8 @@ struct scalar_of<Pack<T, width>> {
 };
 
 template <class T, int width>
-VESICA_INLINE Pack<T, width> select(const typename Pack<T, width>::Mask& mask, Pack<T, width> yes, const Pack<T, width>& no) {
+VESICA_INLINE Pack<T, width> select(const typename Pack<T, width>::Mask& mask, Pack<T, width> yes,
+                                    const Pack<T, width>& no) {
     for (int r = 0; r < Pack<T, width>::registers; ++r)
         yes.v[r] = mask.m[r] ? yes.v[r] : no.v[r];
     return yes;
@@ -270,8 +271,8 @@ VESICA_INLINE Pack<T, width> with_sign_bit(const typename Pack<T, width>::Mask& 
     using Bits = typename Pack<T, width>::Bits;
     a = magnitude(a);
     for (int r = 0; r < Pack<T, width>::registers; ++r)
-        a.v[r] =
-            (typename Pack<T, width>::Native)((Lanes)a.v[r] | (negative.m[r] & std::numeric_limits<Bits>::min()));
+        a.v[r] = (typename Pack<T, width>::Native)((Lanes)a.v[r] |
+                                                   (negative.m[r] & std::numeric_limits<Bits>::min()));
     return a;
 }
 

@@ -41,7 +41,10 @@ template <class Real>
 class Passes {
 public:
     Passes(int edge, int threads)
-        : box_(edge), kernels_(bench_kernels<Real>()), f_(large_array<Real>(box_.numbers())), threads_(threads) {
+        : box_(edge),
+          kernels_(bench_kernels<Real>()),
+          f_(large_array<Real>(box_.numbers())),
+          threads_(threads) {
         kernels_.fill(box_, f_.get(), threads);
         read_modify_write();
         stream_twice();
@@ -190,7 +193,8 @@ void measure_cases(int edge, Precision precision, const BenchOptions& options, B
             continue;
         if (options.progress != nullptr)
             *options.progress << fmt::format("measuring {}, {}, {}^3\n", standard.text,
-                                             precision == Precision::double_precision ? "double" : "single", edge)
+                                             precision == Precision::double_precision ? "double" : "single",
+                                             edge)
                               << std::flush;
         report.cases.push_back(
             measure_case(standard, edge, precision, passes, limit, report.threads, options));
@@ -208,7 +212,8 @@ void check(const BenchOptions& options, const std::vector<int>& edges) {
     const std::vector<std::string>& names = bench_case_names();
     for (const std::string& name : options.cases)
         if (std::find(names.begin(), names.end(), name) == names.end())
-            throw InputError(fmt::format("--case is \"{}\"; expected one of {}", name, fmt::join(names, ", ")));
+            throw InputError(
+                fmt::format("--case is \"{}\"; expected one of {}", name, fmt::join(names, ", ")));
 }
 
 } // namespace

@@ -31,8 +31,9 @@ std::string bench_text(const BenchReport& report) {
         text += fmt::format(
             "  {:<10}  {:>3}^3  {:<9}  {:>8.2f}  {:>10.1f} %  {:>10.1f} %  {:>9.1f} %  {:>10.1f}\n",
             measured.name, measured.edge, name_of(measured.precision), measured.mlups,
-            100.0 * measured.mlups / measured.bandwidth_mlups, 100.0 * measured.mlups / measured.streaming_mlups,
-            100.0 * measured.interface_fraction, measured.bytes_per_cell);
+            100.0 * measured.mlups / measured.bandwidth_mlups,
+            100.0 * measured.mlups / measured.streaming_mlups, 100.0 * measured.interface_fraction,
+            measured.bytes_per_cell);
     }
     return text;
 }

@@ -113,9 +113,11 @@ DenseField LatticeEngine<Real>::field(std::string_view name) const {
             const BandTile& t = layer_.band().tiles()[static_cast<std::size_t>(index)];
             const V H = V::load(layer.H0.data() + t.slot());
             const V K = V::load(layer.K0.data() + t.slot());
-            const V bending =
-                std::visit([&](const auto& law) { return law.force(H, K, layer_.laplace_beltrami_of_H(TileRun<Real>{&t})); },
-                           membrane_.bending);
+            const V bending = std::visit(
+                [&](const auto& law) {
+                    return law.force(H, K, layer_.laplace_beltrami_of_H(TileRun<Real>{&t}));
+                },
+                membrane_.bending);
             const V value = name == "bending_force" ? bending : TensionLaw{membrane_.tension()}.force(H);
             value.store(values.data() + t.slot());
         }

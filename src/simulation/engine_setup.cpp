@@ -104,8 +104,8 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     setup.membrane.target.ramp = type.area.ramp;
     setup.membrane.area = area_law(type, radius, fluid.density * fluid.kinematic_viscosity,
                                    fluid.kinematic_viscosity, setup.membrane.target.final / sphere - 1.0);
-    setup.colours = std::make_shared<const InitialColours>(Grid(parameters.size), std::move(shapes),
-                                                           fluid.segregation, parameters.numerics.cutoff, threads);
+    setup.colours = std::make_shared<const InitialColours>(
+        Grid(parameters.size), std::move(shapes), fluid.segregation, parameters.numerics.cutoff, threads);
     return setup;
 }
 

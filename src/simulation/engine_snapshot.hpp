@@ -65,8 +65,8 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
         const auto force_H0 = lanes(fields.H0);
         const auto K0 = lanes(fields.K0);
         const auto J = lanes(fields.J);
-        const detail::LaneValues<Real> laplacian(t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(TileRun<Real>{&t})
-                                                                           : V(0));
+        const detail::LaneValues<Real> laplacian(
+            t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(TileRun<Real>{&t}) : V(0));
         const Vec3<int> origin = grid_.tile_origin(t.tile);
         for (int k = 0; k < tile_width; ++k) {
             if ((t.bits[Band::outermost] >> k & 1) == 0)

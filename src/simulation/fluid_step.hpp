@@ -121,16 +121,15 @@ private:
     void step_row(std::int64_t first, std::int64_t next_first, const LayerInfluence<Real>& layer) const {
         constexpr int most = tiles_per_register<Real>;
         for (int x = 0; x < grid_.size().x;) {
-            int tiles = 1;
             if constexpr (most > 1)
                 if (x + most * tile_width <= grid_.size().x &&
-                    side_by_side<most>((first + x) / tile_width, layer))
-                    tiles = most;
-            if (tiles == most)
-                step_tiles<streaming, Pack<Real, most * tile_width>>(first + x, next_first + x, layer);
-            else
-                step_tiles<streaming, Pack<Real>>(first + x, next_first + x, layer);
-            x += tiles * tile_width;
+                    side_by_side<most>((first + x) / tile_width, layer)) {
+                    step_tiles<streaming, Pack<Real, most * tile_width>>(first + x, next_first + x, layer);
+                    x += most * tile_width;
+                    continue;
+                }
+            step_tiles<streaming, Pack<Real>>(first + x, next_first + x, layer);
+            x += tile_width;
         }
     }
 
@@ -179,8 +178,10 @@ private:
     /// by line between the rest, as it takes few requests at a time.
     template <Streaming streaming, class V>
     VESICA_INLINE void collide(std::int64_t cell, std::int64_t next, const Vec3<V>& F, const V& rate) const {
-        const auto fetch = [&](auto i, bool wanted) VESICA_INLINE_LAMBDA {
-            if (wanted && (V::bytes == cache_line || next % (cache_line / sizeof(Real)) == 0))
+        constexpr int cells_per_line = 64 / static_cast<int>(sizeof(Real));
+        const bool new_line = V::width == cells_per_line || next % cells_per_line == 0;
+        const auto fetch = [&](auto i, bool in_turn) VESICA_INLINE_LAMBDA {
+            if (in_turn && new_line)
                 f_.template fetch<streaming, decltype(i)::value>(next);
         };
         V g[direction_count];
@@ -194,8 +195,6 @@ private:
             fetch(i, i % 2 == 1);
         });
     }
-
-    static constexpr int cache_line = 64;
 
     Grid grid_;
     PopulationView<Real> f_;

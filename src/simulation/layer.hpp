@@ -335,34 +335,16 @@ private:
     /// body(tiles) or body(tiles, index of the first, thread) for all tiles with cells in `level`.
     template <class Body>
     void for_tiles(int level, int threads, const Body& body) const {
-        const std::vector<std::int32_t>& list = band_.of_level(level);
-        for_each_block(static_cast<std::int64_t>(list.size()), threads,
+        for_each_block(static_cast<std::int64_t>(band_.of_level(level).size()), threads,
                        [&](int thread, std::int64_t begin, std::int64_t end) {
-                           for_each_run(list, begin, end, [&](const auto& tiles, std::size_t index) {
-                               if constexpr (std::is_invocable_v<Body, decltype(tiles)>)
-                                   body(tiles);
-                               else
-                                   body(tiles, index, thread);
-                           });
+                           for_each_run<Real>(band_, level, begin, end,
+                                              [&](const auto& tiles, std::size_t index) {
+                                                  if constexpr (std::is_invocable_v<Body, decltype(tiles)>)
+                                                      body(tiles);
+                                                  else
+                                                      body(tiles, index, thread);
+                                              });
                        });
-    }
-
-    /// body(tiles, index of the first) for list[begin] .. list[end - 1], as many tiles at once as lie side by
-    /// side and fill a register.
-    template <class Body>
-    VESICA_INLINE void for_each_run(const std::vector<std::int32_t>& list, std::int64_t begin,
-                                    std::int64_t end, const Body& body) const {
-        for (std::int64_t k = begin; k < end; ++k) {
-            const std::size_t index = at(list[at(k)]);
-            const BandTile* const first = &band_.tiles()[index];
-            if constexpr (tiles_per_register<Real> == 2)
-                if (first->followed && k + 1 < end && list[at(k + 1)] == list[at(k)] + 1) {
-                    body(TileRun<Real, 2 * tile_width>{first}, index);
-                    ++k;
-                    continue;
-                }
-            body(TileRun<Real>{first}, index);
-        }
     }
 
     /// Ghost cells of the band take the values of the cells they mirror.

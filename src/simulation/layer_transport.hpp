@@ -34,9 +34,9 @@ template <Streaming streaming>
 void Layer<Real>::transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
                                   TransportSums& sums) {
     TransportSums here; // the compiler knows that nothing else refers to it
-    for_each_run(band_.of_level(reach::receiving), static_cast<std::int64_t>(begin),
-                 static_cast<std::int64_t>(end),
-                 [&](const auto& t, std::size_t) { transport_tile<streaming>(f, t, here); });
+    for_each_run<Real>(band_, reach::receiving, static_cast<std::int64_t>(begin),
+                       static_cast<std::int64_t>(end),
+                       [&](const auto& t, std::size_t) { transport_tile<streaming>(f, t, here); });
     sums.merge(here);
 }
 

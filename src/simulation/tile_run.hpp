@@ -43,6 +43,27 @@ struct TileRun {
     }
 };
 
+/// body(run, index of its first tile) for the tiles that have cells in `level`, from the begin-th of them to
+/// the one before the end-th: as many tiles at once as lie side by side and fill a register.
+template <class Real, class Body>
+VESICA_INLINE void for_each_run(const Band& band, int level, std::int64_t begin, std::int64_t end,
+                                const Body& body) {
+    constexpr int most = tiles_per_register<Real>;
+    static_assert(most <= 2);
+    const std::int32_t* const list = band.of_level(level).data();
+    for (std::int64_t k = begin; k < end; ++k) {
+        const auto index = static_cast<std::size_t>(list[k]);
+        const BandTile* const first = band.tiles().data() + index;
+        if constexpr (most == 2)
+            if (first->followed && k + 1 < end && list[k + 1] == list[k] + 1) {
+                body(TileRun<Real, 2 * tile_width>{first}, index);
+                ++k;
+                continue;
+            }
+        body(TileRun<Real>{first}, index);
+    }
+}
+
 /// The value of a compact array in a run's cells shifted by a lattice link.
 template <class Real, int width>
 struct Around {
@@ -62,8 +83,7 @@ VESICA_INLINE Around<Real, width> around(const std::span<Real>& a, const TileRun
 }
 
 template <class Real, int width>
-VESICA_INLINE Vec3<Around<Real, width>> around(const std::span<Real> (&a)[3],
-                                               const TileRun<Real, width>& t) {
+VESICA_INLINE Vec3<Around<Real, width>> around(const std::span<Real> (&a)[3], const TileRun<Real, width>& t) {
     return {around(a[0], t), around(a[1], t), around(a[2], t)};
 }
 

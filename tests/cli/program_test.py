@@ -316,6 +316,22 @@ class Bench(Program):
     def test_a_box_too_small_to_measure_is_refused(self):
         self.refused("bench", "--size", 8, saying="--size is 8")
 
+    def test_chosen_cases_alone_are_measured_beside_the_limits_they_took_turns_with(self):
+        status, out, _ = self.vesica("bench", "--json", "--size", 32, "--threads", 1, "--seconds", 0.05,
+                                     "--case", "mrt", "--case", "fluid")
+        self.assertEqual(status, 0)
+        report = json.loads(out)
+        self.assertEqual([(case["name"], case["precision"]) for case in report["cases"]],
+                         [(name, precision) for precision in ("double", "single") for name in ("fluid", "mrt")])
+        for case in report["cases"]:
+            self.assertAlmostEqual(case["over_streaming"], case["mlups"] / case["streaming_mlups"])
+            self.assertAlmostEqual(case["over_bandwidth"], case["mlups"] / case["bandwidth_mlups"])
+            limit = next(limit for limit in report["limits"] if limit["precision"] == case["precision"])
+            self.assertGreaterEqual(limit["streaming_mlups"], case["streaming_mlups"])
+
+    def test_an_unknown_case_is_named_beside_the_known_ones(self):
+        self.refused("bench", "--case", "drop", saying=["--case is \"drop\"", "fluid, mrt, discocyte, crowd"])
+
 
 class New(Program):
     def test_every_template_is_accepted_without_a_warning(self):

@@ -100,7 +100,7 @@ bool same(const Band& a, const Band& b) {
         const BandTile& s = a.tiles()[k];
         const BandTile& t = b.tiles()[k];
         if (s.tile != t.tile || s.cell != t.cell || !std::equal(s.rows, s.rows + 9, t.rows) ||
-            !std::equal(s.bits, s.bits + BandTile::levels, t.bits))
+            !std::equal(s.bits, s.bits + BandTile::levels, t.bits) || s.followed != t.followed)
             return false;
     }
     for (int level = 0; level <= Band::outermost; ++level)
@@ -196,6 +196,44 @@ TEST_CASE("whole tiles shifted along any link stay inside the compact arrays", "
                 CHECK(row + Grid::tile + 1 <= band.compact_size());
             }
     }
+}
+
+TEST_CASE("a tile and the one that follows it are one run of twice the length in all nine rows",
+          "[lattice]") {
+    std::mt19937_64 random(8);
+    int followed = 0;
+    int apart = 0;
+    for (const auto& [size, count] : boxes) {
+        const Grid grid(size);
+        Band band(grid);
+        band.rebuild(seeds_of(random_core(size, count, random), grid));
+        const std::vector<BandTile>& tiles = band.tiles();
+        for (std::size_t k = 0; k + 1 < tiles.size(); ++k) {
+            const BandTile& a = tiles[k];
+            const BandTile& b = tiles[k + 1];
+            bool alike = b.tile == a.tile + 1;
+            for (int dz = -1; dz <= 1 && alike; ++dz)
+                for (int dy = -1; dy <= 1 && alike; ++dy) {
+                    const std::int64_t row = grid.tile_offset(dy, dz);
+                    alike = (band.slot_of_tile(a.tile + row) < 0) == (band.slot_of_tile(b.tile + row) < 0);
+                }
+            CHECK(a.followed == alike);
+            (alike ? followed : apart) += b.tile == a.tile + 1 ? 1 : 0;
+            if (!a.followed)
+                continue;
+            for (int row = 0; row < 9; ++row) {
+                const bool outside = a.rows[row] == Grid::tile;
+                CHECK(b.rows[row] == (outside ? Grid::tile : a.rows[row] + Grid::tile));
+            }
+        }
+        if (!tiles.empty())
+            CHECK_FALSE(tiles.back().followed);
+        // Twice the tile that stands for everything outside, and a margin, belong to nobody.
+        for (std::int64_t t = 0; t < grid.tiles(); ++t)
+            CHECK((band.slot_of_tile(t) < 0 || band.slot_of_tile(t) >= 4 * Grid::tile));
+    }
+    CHECK(followed > 10);
+    CHECK(apart > 10);
 }
 
 TEST_CASE("a band remembers nothing of the core it had before", "[lattice]") {

@@ -45,7 +45,7 @@ Layer<Real> exact_layer(const Vec3<int>& size,
         return static_cast<Real>(
             with_sign_bit(s < 0.0, 1.0 / (1.0 + std::exp(2.0 * settings.beta * std::abs(s)))));
     };
-    layer.place(core, chi_at, inside);
+    layer.place(core, chi_at, inside, 1);
     layer.locate(1);
     layer.normals(1);
     layer.curvatures(1);

@@ -16,6 +16,10 @@ _vesica() {
             fi
             return
             ;;
+        --case)
+            mapfile -t COMPREPLY < <(compgen -W "fluid mrt discocyte crowd" -- "$current")
+            return
+            ;;
         --set | --threads | --steps | --size | --seconds) return ;;
     esac
     local options="--help"
@@ -24,7 +28,7 @@ _vesica() {
         check) options="--set --threads --model --accept-soft-membranes --help" ;;
         resume) options="--threads --steps --profile --help" ;;
         new) options="--list --output --help" ;;
-        bench) options="--json --threads --size --seconds --help" ;;
+        bench) options="--json --threads --size --case --seconds --help" ;;
         info) ;;
         *) return ;;
     esac
