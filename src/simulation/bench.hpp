@@ -12,7 +12,7 @@ struct BenchOptions {
     int threads = 0;                ///< 0: as many as default_threads()
     std::vector<int> edges;         ///< of the cubes; empty: 128
     std::vector<std::string> cases; ///< by name; empty: all
-    double seconds = 2.0;           ///< to spend on each case
+    double seconds = 5.0;           ///< to spend on each case
     EngineFactory factory;          ///< empty: make_engine
     std::ostream* progress = nullptr;
 };

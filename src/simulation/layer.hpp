@@ -322,7 +322,7 @@ private:
 
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
-                const std::vector<Real>& density, const std::vector<std::uint8_t>& kept);
+                const std::vector<Real>& density);
 
     template <class Sum>
     static double merged(const std::vector<Sum>& parts) {

@@ -2,9 +2,22 @@
 
 #include "simulation/layer.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace vesica {
+
+namespace detail {
+
+/// Among tiles sorted as they lie in the grid; null if it is not there.
+inline const BandTile* find_tile(const std::vector<BandTile>& tiles, std::int64_t tile) {
+    const auto found =
+        std::lower_bound(tiles.begin(), tiles.end(), tile,
+                         [](const BandTile& t, std::int64_t wanted) { return t.tile < wanted; });
+    return found != tiles.end() && found->tile == tile ? &*found : nullptr;
+}
+
+} // namespace detail
 
 template <class Real>
 void Layer<Real>::follow_core(const PopulationView<Real>& f, Streaming streaming, int threads) {
@@ -16,26 +29,27 @@ void Layer<Real>::follow_core(const PopulationView<Real>& f, Streaming streaming
     const std::vector<BandTile> old_tiles = band_.tiles();
     const std::vector<Real> old_chi(fields_.chi.begin(), fields_.chi.end());
     const std::vector<Real> old_density(fields_.density.begin(), fields_.density.end());
-    std::vector<std::int32_t> old_slots(static_cast<std::size_t>(band_.grid().tiles()), -1);
-    for (const BandTile& t : old_tiles) {
-        old_slots[at(t.tile)] = t.slot();
+    const auto tiles = [](const std::vector<BandTile>& list) {
+        return static_cast<std::int64_t>(list.size());
+    };
+    for_each_index(tiles(old_tiles), threads, [&](std::int64_t index) {
+        const BandTile& t = old_tiles[at(index)];
         for (int k = 0; k < tile_width; ++k)
             if ((t.bits[Band::outermost] >> k & 1) != 0)
                 set_side(t.tile, k, sign_bit(old_chi[at(t.slot() + k)]));
-    }
+    });
     lay_out(core);
-    std::vector<std::uint8_t> kept(static_cast<std::size_t>(band_.grid().tiles()), 0);
-    for (const BandTile& t : band_.tiles()) {
-        kept[at(t.tile)] = t.bits[reach::colour];
-        const std::int32_t old = old_slots[at(t.tile)];
+    for_each_index(tiles(band_.tiles()), threads, [&](std::int64_t index) {
+        const BandTile& t = band_.tiles()[at(index)];
+        const BandTile* const old = detail::find_tile(old_tiles, t.tile);
         for (int k = 0; k < tile_width; ++k) {
             const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
             const bool holds_both = (t.bits[reach::colour] >> k & 1) != 0;
             fields_.chi[at(t.slot() + k)] =
-                old >= 0 && holds_both ? old_chi[at(old + k)] : with_sign_bit(red, Real(0));
+                old != nullptr && holds_both ? old_chi[at(old->slot() + k)] : with_sign_bit(red, Real(0));
         }
-    }
-    let_go(old_tiles, old_chi, old_density, kept);
+    });
+    let_go(old_tiles, old_chi, old_density);
     weigh(f, streaming, threads);
 }
 
@@ -74,14 +88,16 @@ void Layer<Real>::number_rows() {
 
 template <class Real>
 void Layer<Real>::let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
-                         const std::vector<Real>& density, const std::vector<std::uint8_t>& kept) {
+                         const std::vector<Real>& density) {
     // A droplet that fades away far from the rest may leave nearly all it had at the cutoff: room for that.
     LaneSum<50> gone;
     using V = Pack<Real>;
     const V per_reference = V(1.0 / settings_.reference_density);
     layer_sum_ = 0.0;
     for (const BandTile& t : tiles) {
-        const auto left = static_cast<std::uint8_t>(t.bits[reach::colour] & ~kept[at(t.tile)]);
+        const BandTile* const now = detail::find_tile(band_.tiles(), t.tile);
+        const unsigned kept = now != nullptr ? now->bits[reach::colour] : 0u;
+        const auto left = static_cast<std::uint8_t>(t.bits[reach::colour] & ~kept);
         if (left == 0)
             continue;
         const V amount =
