@@ -128,6 +128,9 @@ void report_all() {
     report("regularised collision", [&] { RegularisedCollision{}(g, v, Number(1.2), Number(1)); });
     report("two relaxation times",
            [&] { SymmetricMrt<TwoRelaxationTimes>{{0.25}}(g, v, Number(1.2), Number(1)); });
+    report("four ghost rates", [&] {
+        SymmetricMrt<FreeGhostRates>{{1.2, 1.1, 1.3, 1.4}}(g, v, Number(1.2), Number(1));
+    });
     report("one relaxation time",
            [&] { SymmetricMrt<SingleRelaxationTime>{}(g, v, Number(1.2), Number(1)); });
     report("colours gathered", [&] { gather_colours(g, Number(1), Number(1), true, Around{}, field); });

@@ -21,12 +21,21 @@ struct InertiaScaling {
     friend bool operator==(const InertiaScaling&, const InertiaScaling&) = default;
 };
 
+/// An earlier run's state to start from, with this case's parameters and step 0.
+struct InitialCheckpoint {
+    std::string path;                 ///< a run's directory or one checkpoint
+    std::optional<std::int64_t> step; ///< of a directory's checkpoints; absent: the newest that is intact
+
+    friend bool operator==(const InitialCheckpoint&, const InitialCheckpoint&) = default;
+};
+
 /// What a case file says, checked, in lattice units, with everything needed to speak of it to its author.
 struct Case {
     std::string title;
     Parameters parameters;
     RunParameters run;
     OutputParameters output;
+    std::optional<InitialCheckpoint> initial; ///< absent: the vesicles' shapes in a fluid at rest
 
     std::optional<Scales> scales;          ///< absent: the case is stated in lattice units only
     std::optional<InertiaScaling> inertia; ///< only with [units] reynolds

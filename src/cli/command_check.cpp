@@ -4,8 +4,10 @@
 #include "simulation/engine.hpp"
 #include "simulation/plan.hpp"
 #include "simulation/plan_text.hpp"
+#include "simulation/start_state.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <iostream>
 #include <memory>
@@ -37,10 +39,17 @@ int check(const CheckArguments& arguments) {
     const Case what = read_case(arguments.case_file, arguments.overrides);
     const Plan plan = make_plan(what, PlanOptions{arguments.accept_soft_membranes});
     const int threads = arguments.threads > 0 ? arguments.threads : default_threads();
+    std::optional<std::string> start;
+    if (what.initial) {
+        const StartState found = read_start_state(what);
+        start = fmt::format("step {} of {}", found.step, found.path.string());
+    }
     std::optional<RunCost> cost;
     if (!has_errors(plan.remarks))
         cost = measure_cost(what.parameters, what.run, what.output, threads,
                             [](const Parameters& parameters, int n) { return make_engine(parameters, n); });
+    if (start)
+        std::cout << "starts from " << *start << '\n';
     std::cout << plan_text(what, plan, cost, threads) << std::flush;
     refuse_errors(plan);
     return 0;

@@ -12,7 +12,8 @@ template <class Body>
 
 /// The 19 populations as sums (even) and differences (odd) of opposite ones. Every moment and every mode of
 /// the collisions is even or odd under c -> -c, and a short sum of these numbers. A plane is named by the
-/// axis k across it; its diagonals run along the axes k + 1 (its first) and k + 2 (its second).
+/// axis k across it; its diagonals run along the axes k + 1 (its first) and k + 2 (its second). After a
+/// collision they hold what `join` makes populations of: each direction's own share, not the pair's.
 template <class V>
 struct EvenParts {
     V rest;
@@ -51,6 +52,26 @@ constexpr int falling_diagonal(int plane) {
     return detail::find_direction((plane + 1) % 3, -1);
 }
 
+namespace detail {
+
+constexpr bool parts_cover_all_directions() {
+    int times[direction_count] = {1};
+    for (int k = 0; k < 3; ++k)
+        for (const int head : {along_axis(k), rising_diagonal(k), falling_diagonal(k)}) {
+            if (head < 0)
+                return false;
+            ++times[head];
+            ++times[opposite(head)];
+        }
+    for (const int count : times)
+        if (count != 1)
+            return false;
+    return true;
+}
+static_assert(parts_cover_all_directions());
+
+} // namespace detail
+
 template <class V>
 [[gnu::always_inline]] constexpr EvenParts<V> even_parts(const V (&g)[direction_count]) {
     EvenParts<V> even;
@@ -86,7 +107,8 @@ template <class V>
 
 /// The populations of which each direction has `even` plus `odd` and its opposite `even` less `odd`, where
 /// the rising diagonal has plane + shear and first + second, the falling one plane - shear and
-/// first - second: halves of what even_parts and odd_parts find (plane, shear, first, second: quarters).
+/// first - second. Of what even_parts and odd_parts find, `rest` is whole, `axis` halves, the others
+/// quarters.
 template <class V>
 [[gnu::always_inline]] constexpr void join(const EvenParts<V>& even, const OddParts<V>& odd,
                                            V (&g)[direction_count]) {

@@ -69,22 +69,32 @@ struct SymmetricMrt {
     }
 
 private:
+    static constexpr int vector_mode = 0;
+    static constexpr int twist_mode = 3;
+    static constexpr int scalar_mode = 6;
+    static constexpr int tensor_mode = 7;
+    static constexpr double axis_weight = weight(along_axis(0));
+    static constexpr double diagonal_weight = weight(rising_diagonal(0));
+
     /// The scalar mode sees rest - 2 axes + planes. The tensor modes see, of axis k and the plane across it
-    /// together, how far they exceed the mean of all three.
+    /// together, how far they exceed the mean of all three; as differences, whose sum is zero in any
+    /// precision.
     template <class V>
     [[gnu::always_inline]] constexpr void keep_even_ghosts(const EvenParts<V>& before, const V& rate,
                                                            EvenParts<V>& after) const {
         const V axes = before.axis[0] + before.axis[1] + before.axis[2];
         const V planes = before.plane[0] + before.plane[1] + before.plane[2];
         const V scalar =
-            ghosts.template kept<GhostFamily::even_scalar>(rate) * fma(V(-2), axes, before.rest + planes);
-        after.rest = fma(V(1.0 / 6.0), scalar, after.rest);
-        const V tensor_kept = ghosts.template kept<GhostFamily::even_tensor>(rate);
-        const V mean = V(1.0 / 3.0) * (axes + planes);
+            V(diagonal_weight / ghost_norm(scalar_mode)) *
+            (ghosts.template kept<GhostFamily::even_scalar>(rate) * fma(V(-2), axes, before.rest + planes));
+        after.rest = fma(V(12), scalar, after.rest);
+        const V tensor_kept = V(1.0 / 3.0) * ghosts.template kept<GhostFamily::even_tensor>(rate);
+        const V both[3] = {before.axis[0] + before.plane[0], before.axis[1] + before.plane[1],
+                           before.axis[2] + before.plane[2]};
         for_each_axis([&](auto k) VESICA_INLINE_LAMBDA {
-            const V tensor = tensor_kept * (before.axis[k] + before.plane[k] - mean);
-            after.axis[k] += fma(V(0.25), tensor, V(-1.0 / 18.0) * scalar);
-            after.plane[k] += fma(V(0.125), tensor, V(1.0 / 72.0) * scalar);
+            const V tensor = tensor_kept * ((both[k] - both[(k + 1) % 3]) + (both[k] - both[(k + 2) % 3]));
+            after.axis[k] += fma(V(6 * axis_weight / ghost_norm(tensor_mode)), tensor, V(-4) * scalar);
+            after.plane[k] += fma(V(6 * diagonal_weight / ghost_norm(tensor_mode)), tensor, scalar);
         });
     }
 
@@ -93,8 +103,10 @@ private:
     template <class V>
     [[gnu::always_inline]] constexpr void keep_odd_ghosts(const OddParts<V>& before, const V& rate,
                                                           OddParts<V>& after) const {
-        const V vector_kept = V(1.0 / 6.0) * ghosts.template kept<GhostFamily::odd_vector>(rate);
-        const V twist_kept = V(1.0 / 8.0) * ghosts.template kept<GhostFamily::odd_twist>(rate);
+        const V vector_kept = V(2 * axis_weight / ghost_norm(vector_mode)) *
+                              ghosts.template kept<GhostFamily::odd_vector>(rate);
+        const V twist_kept =
+            V(diagonal_weight / ghost_norm(twist_mode)) * ghosts.template kept<GhostFamily::odd_twist>(rate);
         for_each_axis([&](auto k) VESICA_INLINE_LAMBDA {
             constexpr int first_in = (k + 2) % 3;
             constexpr int second_in = (k + 1) % 3;

@@ -252,6 +252,11 @@ void build_case(CaseValues& values, const CaseUnits& units, const std::filesyste
         parameters.vesicles.push_back(build_vesicle(values, path, parameters.types, folder));
         check_fit(values, parameters, parameters.vesicles.back(), path);
     }
+    if (values.has_table("initial")) {
+        result.initial = InitialCheckpoint{values.text("initial.checkpoint"), std::nullopt};
+        if (values.find("initial.step"))
+            result.initial->step = values.integer("initial.step");
+    }
     result.run = read_run(values);
     result.output = read_output(values, parameters.size);
 }

@@ -33,6 +33,18 @@ const std::vector<std::string> steady_quantities{"area",
 
 std::vector<CaseKey> detail::run_and_output_keys() {
     return {
+        {.path = "initial.checkpoint",
+         .kind = KeyKind::text,
+         .meaning =
+             "a run's directory, or one of its checkpoints; relative to the case file or, if it is not "
+             "there, to the working directory",
+         .example = "\"out/rest\"",
+         .need = Need::required},
+        {.path = "initial.step",
+         .kind = KeyKind::integer,
+         .meaning = "which of the directory's checkpoints; absent: the newest that is intact",
+         .example = "40000",
+         .range = step_count},
         {.path = "numerics.geometry",
          .kind = KeyKind::choice,
          .meaning =

@@ -310,6 +310,12 @@ std::string resolved_toml(const Case& resolved) {
     for (std::size_t i = 0; i < parameters.vesicles.size(); ++i)
         write_vesicle(out, parameters.vesicles[i], parameters.types, i);
 
+    if (resolved.initial) {
+        out.header("[initial]", "initial");
+        out.text("checkpoint", resolved.initial->path);
+        if (resolved.initial->step)
+            out.whole("step", *resolved.initial->step);
+    }
     out.header("[numerics]", "numerics");
     out.text("geometry", parameters.numerics.geometry == GeometryRecipe::paper ? "paper" : "mapped");
     out.number("cutoff", parameters.numerics.cutoff);

@@ -18,6 +18,8 @@ const std::vector<CaseTable>& case_tables() {
         {"vesicle[].perturbation[]", true,
          "Ripples r (1 + amplitude Y_lm), where Y_l0 is the Legendre polynomial P_l of the angle to the "
          "axis."},
+        {"initial", true,
+         "A start from an earlier run's state instead of the vesicles' shapes, with this case's parameters."},
         {"numerics", false, "How it is computed."},
         {"run", false, "How long."},
         {"run.stop_when_steady", true, "An earlier end."},
@@ -38,7 +40,6 @@ const std::vector<UnavailableTable>& unavailable_tables() {
         {"obstacles", "solids from a file"},
         {"suspension", "many vesicles"},
         {"tracers", "passive points"},
-        {"initial", "a start from an earlier run's state"},
     };
     return tables;
 }

@@ -79,13 +79,19 @@ void Band::grow(int level) {
     for (std::size_t k = 0; k < marked_[level].size(); ++k) {
         const std::int64_t t = marked_[level][k];
         const std::uint8_t bits = level_bits_[level][static_cast<std::size_t>(t)];
+        mark(level + 1, t, bits);
+        // Neighbours of what the level before held belong to this level, and so to the next, already.
+        const std::uint8_t before = level > 0 ? level_bits_[level - 1][static_cast<std::size_t>(t)] : 0;
+        const auto fresh = static_cast<std::uint8_t>(bits & ~before);
+        if (fresh == 0)
+            continue;
         const Vec3<int> origin = grid_.tile_origin(t);
         const int tile_in_row = static_cast<int>(t % grid_.tiles_per_row());
         for (int dz = -1; dz <= 1; ++dz)
             for (int dy = -1; dy <= 1; ++dy) {
                 const std::int64_t row =
                     grid_.index(-tile, wrapped(origin.y + dy, size.y), wrapped(origin.z + dz, size.z)) / tile;
-                spread(row, tile_in_row, bits, dy == 0 || dz == 0, level + 1);
+                spread(row, tile_in_row, fresh, dy == 0 || dz == 0, level + 1);
             }
     }
 }
@@ -124,7 +130,7 @@ void Band::lay_out() {
     members.erase(std::unique(members.begin(), members.end()), members.end());
 
     // Addresses: tiles 1 and 2 stand for everything outside the band, with an unused tile on either side.
-    std::int64_t address = 4 * tile;
+    std::int64_t address = 3 * tile;
     std::int64_t previous = -2;
     for (const std::int64_t t : members) {
         if (t != previous + 1)

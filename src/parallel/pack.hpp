@@ -3,6 +3,7 @@
 #include "core/real.hpp"
 #include "core/vec3.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -34,10 +35,8 @@ inline constexpr int register_bytes = 16;
 /// How many tiles of such numbers a register holds: a pass over tiles that follow each other takes so many at
 /// once.
 template <class T>
-inline constexpr int tiles_per_register = detail::register_bytes > tile_width* static_cast<int>(sizeof(T))
-                                              ? detail::register_bytes /
-                                                    (tile_width * static_cast<int>(sizeof(T)))
-                                              : 1;
+inline constexpr int tiles_per_register = std::max(1, detail::register_bytes /
+                                                          (tile_width * static_cast<int>(sizeof(T))));
 
 /// The numbers of a tile, or of two that follow each other, handled as one: as many machine registers as they
 /// need, on the vector extension of GCC and clang. The same text runs on SSE2, AVX2 and AVX-512. This is the
@@ -46,15 +45,16 @@ template <class T, int count = tile_width>
 struct Pack {
     static constexpr int width = count;
     static constexpr int bytes = width * static_cast<int>(sizeof(T));
-    static constexpr int width_bytes = bytes < detail::register_bytes ? bytes : detail::register_bytes;
-    static constexpr int registers = bytes / width_bytes;
-    static constexpr int lanes = width_bytes / static_cast<int>(sizeof(T));
+    static constexpr int bytes_per_register = bytes < detail::register_bytes ? bytes : detail::register_bytes;
+    static constexpr int registers = bytes / bytes_per_register;
+    static constexpr int lanes = bytes_per_register / static_cast<int>(sizeof(T));
 
     using Bits = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
-    typedef T Native __attribute__((vector_size(width_bytes)));
-    typedef Bits Lanes __attribute__((vector_size(width_bytes)));
-    typedef T Unaligned __attribute__((vector_size(width_bytes), aligned(sizeof(T)), may_alias));
-    typedef Bits UnalignedBits __attribute__((vector_size(width_bytes), aligned(sizeof(T)), may_alias));
+    typedef T Native __attribute__((vector_size(bytes_per_register)));
+    typedef Bits Lanes __attribute__((vector_size(bytes_per_register)));
+    typedef T Unaligned __attribute__((vector_size(bytes_per_register), aligned(sizeof(T)), may_alias));
+    typedef Bits UnalignedBits
+        __attribute__((vector_size(bytes_per_register), aligned(sizeof(T)), may_alias));
 
     /// Which lanes something holds for: all bits of a lane or none.
     struct Mask {
@@ -152,7 +152,7 @@ struct Pack {
         struct LaneBits {
             Bits of[static_cast<std::size_t>(width)];
         };
-        alignas(width_bytes) static constexpr LaneBits lane_bits = [] {
+        alignas(bytes_per_register) static constexpr LaneBits lane_bits = [] {
             LaneBits all{};
             for (int k = 0; k < width; ++k)
                 all.of[k] = Bits{1} << k;
@@ -185,16 +185,16 @@ VESICA_INLINE Pack<T, width> fma(Pack<T, width> a, const Pack<T, width>& b, cons
     using P = Pack<T, width>;
     for (int r = 0; r < P::registers; ++r) {
 #if defined(__AVX512F__)
-        if constexpr (P::width_bytes == 64 && sizeof(T) == 8)
+        if constexpr (P::bytes_per_register == 64 && sizeof(T) == 8)
             a.v[r] = (typename P::Native)_mm512_fmadd_pd((__m512d)a.v[r], (__m512d)b.v[r], (__m512d)c.v[r]);
-        else if constexpr (P::width_bytes == 64)
+        else if constexpr (P::bytes_per_register == 64)
             a.v[r] = (typename P::Native)_mm512_fmadd_ps((__m512)a.v[r], (__m512)b.v[r], (__m512)c.v[r]);
         else
 #endif
 #if defined(__FMA__)
-            if constexpr (P::width_bytes == 32 && sizeof(T) == 8)
+            if constexpr (P::bytes_per_register == 32 && sizeof(T) == 8)
             a.v[r] = (typename P::Native)_mm256_fmadd_pd((__m256d)a.v[r], (__m256d)b.v[r], (__m256d)c.v[r]);
-        else if constexpr (P::width_bytes == 32)
+        else if constexpr (P::bytes_per_register == 32)
             a.v[r] = (typename P::Native)_mm256_fmadd_ps((__m256)a.v[r], (__m256)b.v[r], (__m256)c.v[r]);
         else
 #endif
@@ -213,19 +213,19 @@ VESICA_INLINE Pack<T, width> square_root(Pack<T, width> a) {
     using P = Pack<T, width>;
     for (int r = 0; r < P::registers; ++r) {
 #if defined(__AVX512F__)
-        if constexpr (P::width_bytes == 64 && sizeof(T) == 8) {
+        if constexpr (P::bytes_per_register == 64 && sizeof(T) == 8) {
             a.v[r] = (typename P::Native)_mm512_sqrt_pd((__m512d)a.v[r]);
             continue;
-        } else if constexpr (P::width_bytes == 64) {
+        } else if constexpr (P::bytes_per_register == 64) {
             a.v[r] = (typename P::Native)_mm512_sqrt_ps((__m512)a.v[r]);
             continue;
         }
 #endif
 #if defined(__AVX__)
-        if constexpr (P::width_bytes == 32 && sizeof(T) == 8) {
+        if constexpr (P::bytes_per_register == 32 && sizeof(T) == 8) {
             a.v[r] = (typename P::Native)_mm256_sqrt_pd((__m256d)a.v[r]);
             continue;
-        } else if constexpr (P::width_bytes == 32) {
+        } else if constexpr (P::bytes_per_register == 32) {
             a.v[r] = (typename P::Native)_mm256_sqrt_ps((__m256)a.v[r]);
             continue;
         }

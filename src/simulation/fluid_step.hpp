@@ -1,7 +1,6 @@
 #pragma once
 
 #include "boundary/periodic.hpp"
-#include "collision/regularised.hpp"
 #include "lattice/band.hpp"
 #include "lattice/populations.hpp"
 #include "parallel/for_each.hpp"

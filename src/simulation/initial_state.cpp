@@ -22,8 +22,8 @@ double squared(double x) {
 
 } // namespace
 
-/// A shape as a row of cells sees it: its image the row passes nearest by.
 struct InitialColours::Row {
+    /// A shape as a row of cells sees it: its image the row passes nearest by.
     struct Near {
         const Placed* placed;
         double y;

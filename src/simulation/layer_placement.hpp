@@ -29,17 +29,17 @@ void Layer<Real>::follow_core(const PopulationView<Real>& f, Streaming streaming
     const std::vector<BandTile> old_tiles = band_.tiles();
     const std::vector<Real> old_chi(fields_.chi.begin(), fields_.chi.end());
     const std::vector<Real> old_density(fields_.density.begin(), fields_.density.end());
-    const auto tiles = [](const std::vector<BandTile>& list) {
+    const auto count_of = [](const std::vector<BandTile>& list) {
         return static_cast<std::int64_t>(list.size());
     };
-    for_each_index(tiles(old_tiles), threads, [&](std::int64_t index) {
+    for_each_index(count_of(old_tiles), threads, [&](std::int64_t index) {
         const BandTile& t = old_tiles[at(index)];
         for (int k = 0; k < tile_width; ++k)
             if ((t.bits[Band::outermost] >> k & 1) != 0)
                 set_side(t.tile, k, sign_bit(old_chi[at(t.slot() + k)]));
     });
     lay_out(core);
-    for_each_index(tiles(band_.tiles()), threads, [&](std::int64_t index) {
+    for_each_index(count_of(band_.tiles()), threads, [&](std::int64_t index) {
         const BandTile& t = band_.tiles()[at(index)];
         const BandTile* const old = detail::find_tile(old_tiles, t.tile);
         for (int k = 0; k < tile_width; ++k) {

@@ -5,6 +5,7 @@
 #include "io/case_file.hpp"
 #include "simulation/run_account.hpp"
 #include "simulation/run_recorder.hpp"
+#include "simulation/start_state.hpp"
 
 #include <fmt/format.h>
 
@@ -198,9 +199,14 @@ int threads_for(const RunOptions& options) {
 
 RunOutcome run_case(const Case& original, const RunOptions& options) {
     const auto begin = Clock::now();
-    const Case what = with_absolute_meshes(original);
+    Case what = with_absolute_meshes(original);
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
+    std::optional<StartState> start;
+    if (what.initial) {
+        start = read_start_state(what);
+        what.initial = InitialCheckpoint{start->path.string(), std::nullopt};
+    }
     // The directory first: a refusal should not take as long as building the initial state does.
     OutputDirectory directory = OutputDirectory::create(options.directory, options.overwrite);
     const int threads = threads_for(options);
@@ -211,6 +217,12 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     session.warn();
 
     const auto engine = build_engine(what, options, threads);
+    if (start) {
+        engine->load(start->engine);
+        session.log().information(
+            fmt::format("starts from step {} of {}", start->step, start->path.string()));
+        start.reset();
+    }
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
     return session.run(*engine, metrics, std::nullopt);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lattice/band.hpp"
+#include "lattice/velocity_set.hpp"
 #include "parallel/pack.hpp"
 
 #include <span>
@@ -45,10 +46,9 @@ struct TileRun {
 
 /// body(run, index of its first tile) for the tiles that have cells in `level`, from the begin-th of them to
 /// the one before the end-th: as many tiles at once as lie side by side and fill a register.
-template <class Real, class Body>
+template <class Real, int most = tiles_per_register<Real>, class Body>
 VESICA_INLINE void for_each_run(const Band& band, int level, std::int64_t begin, std::int64_t end,
                                 const Body& body) {
-    constexpr int most = tiles_per_register<Real>;
     static_assert(most <= 2);
     const std::int32_t* const list = band.of_level(level).data();
     for (std::int64_t k = begin; k < end; ++k) {

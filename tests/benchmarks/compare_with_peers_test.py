@@ -28,9 +28,11 @@ def options(**changes) -> argparse.Namespace:
 def answer(command: list[str]) -> str:
     """Answer as the programs do: Vesica's bench, or the peer the command line names."""
     if "bench" in command:
+        chosen = [command[k + 1] for k, word in enumerate(command) if word == "--case"]
+        assert chosen == ["fluid", "mrt", "discocyte"], command
         return json.dumps({"cases": [
             {"name": name, "precision": precision, "mlups": mlups}
-            for name, mlups in (("fluid", 40.0), ("discocyte", 20.0)) for precision in ("double", "single")
+            for name, mlups in (("fluid", 40.0), ("mrt", 30.0), ("discocyte", 20.0)) for precision in ("double", "single")
         ]})
     collision = command[command.index("--collision") + 1]
     line = FLUID if any("palabos_fluid" in word for word in command) else DROP
@@ -53,8 +55,9 @@ class CompareWithPeers(unittest.TestCase):
         peers = [peer for pair in script.PAIRS.values() for peer in pair["peers"]]
         with mock.patch.object(script, "run", side_effect=answer), mock.patch.object(script, "say"):
             rows = script.compare(script.measure(options(repetitions=2), peers), "best")
-        ratios = {(row["case"], row["peer"]): row["ratio"] for row in rows}
-        self.assertEqual(ratios, {("fluid", "palabos_fluid"): 8.0, ("discocyte", "palabos_shan_chen"): 20.0})
+        ratios = {(row["case"], row["peer"], row["collision"] == "mrt"): row["ratio"] for row in rows}
+        self.assertEqual(ratios, {("fluid", "palabos_fluid", False): 8.0, ("mrt", "palabos_fluid", True): 6.0,
+                                  ("discocyte", "palabos_shan_chen", False): 20.0})
         self.assertTrue(all(len(row["peer_all"]) == len(row["vesica_all"]) == 2 for row in rows))
 
     def test_the_table_has_a_line_per_rate(self):

@@ -137,7 +137,8 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
          "relaxation_time, dynamic_viscosity, density, segregation or collision; try "
          "fluid.kinematic_viscosity"},
         {"[lattice]", "[latice]",
-         "case.toml:3:2: latice is not a known key; expected title, lattice, fluid, vesicle, numerics, run, "
+         "case.toml:3:2: latice is not a known key; expected title, lattice, fluid, vesicle, initial, "
+         "numerics, run, "
          "output, units or vesicle_type; try lattice"},
         {"radius = 15", "rad = 15",
          "case.toml:32:1: vesicle[0].rad is not a known key; expected type, shape, aspect, reduced_volume, "
@@ -179,9 +180,6 @@ TEST_CASE("what is not available yet is refused and says so") {
         {"[numerics]", "[tracers]\n[numerics]",
          "case.toml:39:2: tracers is not available yet (passive points); expected a fluid at rest in a "
          "periodic box with one vesicle; try removing it"},
-        {"[numerics]", "[initial]\n[numerics]",
-         "case.toml:39:2: initial is not available yet (a start from an earlier run's state); expected a "
-         "fluid at rest in a periodic box with one vesicle; try removing it"},
         {"device = \"cpu\"", "device = \"cuda\"",
          "case.toml:43:10: numerics.device is \"cuda\"; that is not available yet; expected \"cpu\" or "
          "\"auto\"; try device = \"cpu\""},

@@ -74,3 +74,16 @@ TEST_CASE("single precision terms are summed without loss", "[parallel]") {
         sum.add(Pack<float>(0.1f));
     CHECK(sum.value() == Approx(8000.0 * static_cast<double>(0.1f)).epsilon(1e-10));
 }
+
+TEST_CASE("a pack of sixteen adds what its two halves do", "[parallel]") {
+    float terms[16];
+    for (int k = 0; k < 16; ++k)
+        terms[k] = 0.3f * static_cast<float>(k * k) - 7.0f;
+    LaneSum<38> whole;
+    whole.add(Pack<float, 16>::load(terms));
+    LaneSum<38> halves;
+    halves.add(Pack<float>::load(terms));
+    halves.add(Pack<float>::load(terms + 8));
+    CHECK(whole.value() == halves.value());
+    CHECK(whole.value() != 0.0);
+}

@@ -1,0 +1,104 @@
+#include "simulation/start_state.hpp"
+
+#include "io/case_file.hpp"
+#include "io/checkpoint_store.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace vesica {
+
+namespace {
+
+[[noreturn]] void refuse(const Case& what, const std::string& key, const std::string& text) {
+    const std::string value = key == "initial.step" ? fmt::format("{}", *what.initial->step)
+                                                    : fmt::format("\"{}\"", what.initial->path);
+    throw InputError(what.place(key), fmt::format("{} is {}; {}", key, value, text));
+}
+
+/// Beside the case file or, if it is not there, from the working directory.
+std::filesystem::path find_start(const Case& what) {
+    const std::filesystem::path beside =
+        std::filesystem::path(what.source_file).parent_path() / what.initial->path;
+    for (const std::filesystem::path& path : {beside, std::filesystem::path(what.initial->path)})
+        if (std::filesystem::exists(path))
+            return std::filesystem::absolute(path).lexically_normal();
+    refuse(
+        what, "initial.checkpoint",
+        "there is no such file or directory; expected a run's directory or one of its checkpoints; try the "
+        "directory `vesica run` named at its end");
+}
+
+IntactCheckpoint read_start(const Case& what) {
+    const std::filesystem::path path = find_start(what);
+    try {
+        if (!std::filesystem::is_directory(path)) {
+            if (what.initial->step)
+                refuse(what, "initial.step",
+                       "expected none beside a single file; try the run's directory as checkpoint");
+            return {read_checkpoint(path), path, {}};
+        }
+        const std::filesystem::path store = path / "checkpoints";
+        if (!what.initial->step)
+            return newest_intact_checkpoint(store);
+        const std::filesystem::path chosen = checkpoint_path(store, *what.initial->step);
+        if (!std::filesystem::exists(chosen))
+            refuse(what, "initial.step",
+                   fmt::format("there is no {}; expected the step of a checkpoint in {}; try without it, "
+                               "which takes the newest",
+                               chosen.filename().string(), store.string()));
+        return {read_checkpoint(chosen), chosen, {}};
+    } catch (const RunError& damaged) {
+        refuse(what, "initial.checkpoint",
+               std::string("expected a checkpoint that is intact; ") + damaged.what());
+    }
+}
+
+void check_model(const Case& what, const Case& before, const std::filesystem::path& path) {
+    const auto other = [&](const std::string& name, const std::string& found, const std::string& expected) {
+        refuse(what, "initial.checkpoint",
+               fmt::format("{} in {} is {}, but {} here; try the same in both", name, path.string(), found,
+                           expected));
+    };
+    const auto size_text = [](const Vec3<int>& size) {
+        return fmt::format("[{}, {}, {}]", size.x, size.y, size.z);
+    };
+    const auto precision_text = [](Precision precision) {
+        return precision == Precision::single_precision ? "\"single\"" : "\"double\"";
+    };
+    const Parameters& now = what.parameters;
+    const Parameters& then = before.parameters;
+    if (!(then.size == now.size))
+        other("lattice.size", size_text(then.size), size_text(now.size));
+    if (then.numerics.precision != now.numerics.precision)
+        other("numerics.precision", precision_text(then.numerics.precision),
+              precision_text(now.numerics.precision));
+    if (then.fluid.density != now.fluid.density)
+        other("fluid.density", fmt::format("{:g}", then.fluid.density),
+              fmt::format("{:g}", now.fluid.density));
+    if (then.vesicles.size() != now.vesicles.size())
+        other("the number of vesicles", fmt::format("{}", then.vesicles.size()),
+              fmt::format("{}", now.vesicles.size()));
+}
+
+std::size_t kind_of_constraint(const Case& what) {
+    const Parameters& parameters = what.parameters;
+    return parameters.types.at(parameters.vesicles.front().type).area.constraint.index();
+}
+
+} // namespace
+
+StartState read_start_state(const Case& what) {
+    IntactCheckpoint found = read_start(what);
+    const Case before = read_case_text(found.checkpoint.case_text, found.path.string());
+    check_model(what, before, found.path);
+    StartState start{std::move(found.checkpoint.engine), found.path, 0};
+    start.step = std::exchange(start.engine.step, 0);
+    if (!what.parameters.vesicles.empty() && kind_of_constraint(what) != kind_of_constraint(before))
+        for (double& memory : start.engine.controllers)
+            memory = 0.0;
+    return start;
+}
+
+} // namespace vesica

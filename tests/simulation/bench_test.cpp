@@ -1,0 +1,52 @@
+#include "core/input_error.hpp"
+#include "simulation/bench.hpp"
+#include "simulation/run_fake_engine.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <thread>
+
+using namespace vesica;
+using namespace vesica::test;
+
+TEST_CASE("the rate of a case is its cells over the time of a step") {
+    constexpr auto step = std::chrono::milliseconds(4);
+    BenchOptions options;
+    options.threads = 1;
+    options.edges = {40};
+    options.cases = {"crowd"};
+    options.seconds = 0.01;
+    options.factory = [&](const Parameters& parameters, int) {
+        auto engine = std::make_unique<FakeEngine>(parameters);
+        engine->after_step = [&](std::int64_t) {
+            std::this_thread::sleep_for(step);
+        };
+        return engine;
+    };
+    const BenchReport report = run_bench(options);
+    REQUIRE(report.cases.size() == 2);
+    REQUIRE(report.limits.size() == 2);
+    const double fastest = 1e-6 * 40 * 40 * 40 / 4e-3; // sleep may take longer, never less
+    for (std::size_t k = 0; k < 2; ++k) {
+        const BenchCase& measured = report.cases[k];
+        CHECK(measured.name == "crowd");
+        CHECK(measured.mlups <= fastest);
+        CHECK(measured.mlups > 0.4 * fastest);
+        const BenchLimit& limit = report.limits[k];
+        CHECK(limit.streaming_mlups == measured.streaming_mlups);
+        CHECK(limit.bandwidth_mlups == measured.bandwidth_mlups);
+        const double bytes = k == 0 ? 8.0 : 4.0;
+        CHECK(limit.bandwidth == Approx(1e6 * limit.bandwidth_mlups * 38.0 * bytes));
+        // Streaming moves what the bandwidth counts; small boxes lie in caches, but no pass is many times the
+        // other.
+        CHECK(limit.streaming_mlups > 0.2 * limit.bandwidth_mlups);
+        CHECK(limit.streaming_mlups < 3.0 * limit.bandwidth_mlups);
+    }
+}
+
+TEST_CASE("a case of bench that nobody knows is refused") {
+    BenchOptions options;
+    options.cases = {"fluid", "drop"};
+    CHECK_THROWS_WITH(run_bench(options), Catch::Contains("drop") && Catch::Contains("discocyte"));
+}
