@@ -5,15 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace vesica {
 
 namespace {
 
-/// x moved by whole boxes to within half a box of the centre.
-double nearest_image(double x, double centre, int size) {
-    return x - size * std::round((x - centre) / size);
+/// How far x lies from the centre by the shortest way round the box, and by the other one.
+struct Offsets {
+    double way[2];
+};
+Offsets offsets(double x, double centre, int size) {
+    const double shortest = (x - centre) - size * std::round((x - centre) / size);
+    return {{shortest, shortest > 0.0 ? shortest - size : shortest + size}};
 }
 
 double squared(double x) {
@@ -23,55 +28,64 @@ double squared(double x) {
 } // namespace
 
 struct InitialColours::Row {
-    /// A shape as a row of cells sees it: its image the row passes nearest by.
+    /// One image of a shape, as a row of cells sees it.
     struct Near {
         const Placed* placed;
-        double y;
+        double y; ///< of the row, from the image's centre
         double z;
-        double beside; ///< squared distance of its centre from the row
+        double reach; ///< half the row's length within reach of the bounding sphere, squared
     };
-    std::vector<Near> shapes;
+    std::vector<Near> images;
     double far;
 };
 
 InitialColours::Row InitialColours::row_near(int y, int z, double far) const {
     Row row{{}, far};
     for (const Placed& placed : shapes_) {
-        const double near_y = nearest_image(y + 0.5, placed.centre.y, grid_.size().y);
-        const double near_z = nearest_image(z + 0.5, placed.centre.z, grid_.size().z);
-        const double beside = squared(near_y - placed.centre.y) + squared(near_z - placed.centre.z);
-        if (beside < squared(placed.shape->bounding_radius() + far))
-            row.shapes.push_back({&placed, near_y, near_z, beside});
+        const double reach = squared(placed.shape->bounding_radius() + far);
+        for (const double from_y : offsets(y + 0.5, placed.centre.y, grid_.size().y).way)
+            for (const double from_z : offsets(z + 0.5, placed.centre.z, grid_.size().z).way)
+                if (const double left = reach - squared(from_y) - squared(from_z); left > 0.0)
+                    row.images.push_back({&placed, from_y, from_z, left});
     }
     return row;
 }
 
 /// From the nearest surface; `far` where that is farther.
 double InitialColours::distance(const Row& row, int x) const {
-    const auto near_x = [&](const Row::Near& near) {
-        return nearest_image(x + 0.5, near.placed->centre.x, grid_.size().x);
+    struct Candidate {
+        const Row::Near* image = nullptr;
+        double x = 0.0; ///< of the cell, from the image's centre
+        double at_least =
+            std::numeric_limits<double>::max(); ///< no surface is nearer than its bounding sphere
     };
-    // No surface is nearer than its bounding sphere. The nearest sphere first: most others need no more.
-    const auto at_least = [&](const Row::Near& near) {
-        return std::sqrt(near.beside + squared(near_x(near) - near.placed->centre.x)) -
-               near.placed->shape->bounding_radius();
+    const auto for_each_in_reach = [&](const auto& body) {
+        for (const Row::Near& image : row.images)
+            for (const double from_x : offsets(x + 0.5, image.placed->centre.x, grid_.size().x).way)
+                if (squared(from_x) < image.reach)
+                    body(Candidate{&image, from_x,
+                                   std::sqrt(squared(from_x) + squared(image.y) + squared(image.z)) -
+                                       image.placed->shape->bounding_radius()});
     };
-    const auto exactly = [&](const Row::Near& near) {
-        return near.placed->shape->signed_distance({near_x(near), near.y, near.z});
+    const auto exactly = [&](const Candidate& candidate) {
+        const Vec3<double>& centre = candidate.image->placed->centre;
+        return candidate.image->placed->shape->signed_distance(
+            {centre.x + candidate.x, centre.y + candidate.image->y, centre.z + candidate.image->z});
     };
-    const Row::Near* first = nullptr;
-    double lowest = row.far;
-    for (const Row::Near& near : row.shapes)
-        if (const double bound = at_least(near); bound < lowest) {
-            lowest = bound;
-            first = &near;
-        }
-    if (first == nullptr)
+    // The nearest sphere first: most of the others need no more.
+    Candidate first;
+    for_each_in_reach([&](const Candidate& candidate) {
+        if (candidate.at_least < first.at_least)
+            first = candidate;
+    });
+    if (first.image == nullptr)
         return row.far;
-    double nearest = std::min(row.far, exactly(*first));
-    for (const Row::Near& near : row.shapes)
-        if (&near != first && at_least(near) < nearest)
-            nearest = std::min(nearest, exactly(near));
+    double nearest = std::min(row.far, exactly(first));
+    for_each_in_reach([&](const Candidate& candidate) {
+        const bool done = candidate.image == first.image && candidate.x == first.x;
+        if (!done && candidate.at_least < nearest)
+            nearest = std::min(nearest, exactly(candidate));
+    });
     return nearest;
 }
 
@@ -89,7 +103,7 @@ InitialColours::InitialColours(const Grid& grid, std::vector<Placed> shapes, dou
         const int z = static_cast<int>(plane);
         for (int y = 0; y < size.y; ++y) {
             const Row row = row_near(y, z, core_reach + 1.0);
-            if (row.shapes.empty())
+            if (row.images.empty())
                 continue;
             for (int x0 = 0; x0 < size.x; x0 += Grid::tile) {
                 const std::int64_t tile = grid.index(x0, y, z) / Grid::tile;

@@ -32,7 +32,7 @@ public:
 private:
     struct Row;
 
-    /// The shapes that come within `far` of a row of cells, nearest_image applied.
+    /// The images of shapes that come within `far` of a row of cells.
     Row row_near(int y, int z, double far) const;
     double distance(const Row& row, int x) const;
 
