@@ -8,34 +8,31 @@
 
 namespace vesica {
 
-/// The fastest cell of the box; not a number counts as faster than anything.
+/// One pass over the box, row by row in any order: ties go to the first cell.
 template <class Real>
-typename LatticeEngine<Real>::Fastest LatticeEngine<Real>::fastest() const {
+typename LatticeEngine<Real>::Extremes LatticeEngine<Real>::extremes() const {
     const Vec3<int> size = grid_.size();
     const std::int64_t rows = std::int64_t{size.y} * size.z;
-    std::vector<Fastest> of_row(static_cast<std::size_t>(rows));
+    std::vector<Extremes> of_row(static_cast<std::size_t>(rows));
     for_each_index(rows, setup_.threads, [&](std::int64_t r) {
         const int y = static_cast<int>(r % size.y);
         const int z = static_cast<int>(r / size.y);
-        Fastest& best = of_row[static_cast<std::size_t>(r)];
+        Extremes here;
         for (int x = 0; x < size.x; ++x) {
             const std::int64_t cell = grid_.index(x, y, z);
+            const Vec3<int> place{x, y, z};
             const Moments<double> m = moments_at(cell);
-            const double speed = norm(velocity_of(m, setup_.reference_density, force_at(cell)));
-            if (!(speed <= best.speed))
-                best = {speed, {x, y, z}, setup_.reference_density + m.density_deviation};
-            if (std::isnan(speed))
-                return;
+            const Vec3<double> F = force_at(cell);
+            here.speed.take({norm(velocity_of(m, setup_.reference_density, F)), place});
+            here.density.take({std::abs(m.density_deviation), place});
+            here.force.take({norm(F), place});
         }
+        of_row[static_cast<std::size_t>(r)] = here;
     });
-    Fastest best;
-    for (const Fastest& row : of_row) {
-        if (!(row.speed <= best.speed))
-            best = row;
-        if (std::isnan(best.speed))
-            break;
-    }
-    return best;
+    Extremes all;
+    for (const Extremes& row : of_row)
+        all.take(row);
+    return all;
 }
 
 template <class Real>
@@ -138,22 +135,21 @@ std::optional<Trouble> LatticeEngine<Real>::trouble() const {
     const double fastest_allowed = 0.3;
     const double density_allowed = 0.3 * setup_.reference_density;
     const double force_allowed = 0.1 * setup_.reference_density;
-    const Fastest fast = fastest();
-    const Vec3<double> F = force_at(grid_.index(fast.cell));
-    const std::int64_t fast_index = grid_.index(fast.cell);
-    const bool in_layer = !layer_.empty() && layer_.band().slot_of_tile(fast_index / tile_width) >= 0;
-    const int vesicle = in_layer ? 0 : -1;
+    const Extremes worst = extremes();
+    const auto at = [&](const Extreme& place, const std::string& cause) {
+        const std::int64_t tile = grid_.index(place.cell) / tile_width;
+        const bool in_layer = !layer_.empty() && layer_.band().slot_of_tile(tile) >= 0;
+        return Trouble{step_, place.cell, in_layer ? 0 : -1, cause};
+    };
     if (!layer_.empty() && !std::isfinite(membrane_.tension()))
-        return Trouble{step_, fast.cell, 0, "tension is not a number"};
-    if (!(norm(F) <= force_allowed))
-        return Trouble{step_, fast.cell, vesicle, text("force", norm(F), force_allowed)};
-    if (!(std::abs(fast.density - setup_.reference_density) <= density_allowed))
-        return Trouble{step_, fast.cell, vesicle,
-                       text("density", fast.density,
-                            setup_.reference_density +
-                                std::copysign(density_allowed, fast.density - setup_.reference_density))};
-    if (!(fast.speed <= fastest_allowed))
-        return Trouble{step_, fast.cell, vesicle, text("speed", fast.speed, fastest_allowed)};
+        return Trouble{step_, worst.speed.cell, 0, "tension is not a number"};
+    if (!(worst.force.size <= force_allowed))
+        return at(worst.force, text("force", worst.force.size, force_allowed));
+    if (!(worst.density.size <= density_allowed))
+        return at(worst.density,
+                  text("density's distance from that at rest", worst.density.size, density_allowed));
+    if (!(worst.speed.size <= fastest_allowed))
+        return at(worst.speed, text("speed", worst.speed.size, fastest_allowed));
     return std::nullopt;
 }
 

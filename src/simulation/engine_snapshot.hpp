@@ -162,7 +162,7 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     Snapshot snapshot;
     snapshot.step = step_;
     snapshot.reference_density = setup_.reference_density;
-    snapshot.max_speed = fastest().speed;
+    snapshot.max_speed = extremes().speed.size;
     if (layer_.empty())
         return snapshot;
     VesicleSnapshot vesicle;

@@ -101,10 +101,26 @@ public:
     const StepProfile& profile() const override { return clock_.profile(); }
 
 private:
-    struct Fastest {
-        double speed = 0.0;
+    /// The largest of a quantity over the box and where it is; what is not a number is larger than all.
+    struct Extreme {
+        double size = 0.0;
         Vec3<int> cell{};
-        double density = 1.0;
+
+        void take(const Extreme& other) {
+            if (!std::isnan(size) && !(other.size <= size))
+                *this = other;
+        }
+    };
+    struct Extremes {
+        Extreme speed;
+        Extreme density; ///< its distance from the reference
+        Extreme force;
+
+        void take(const Extremes& other) {
+            speed.take(other.speed);
+            density.take(other.density);
+            force.take(other.force);
+        }
     };
 
     void locate_surface() {
@@ -196,7 +212,7 @@ private:
                 static_cast<double>(F.component(2)[at])};
     }
 
-    Fastest fastest() const;
+    Extremes extremes() const;
     Vec3<double> middle() const;
     void add_layer_cells(const Unwrap& unwrap, VesicleSnapshot& vesicle) const;
     void add_inside(const Unwrap& unwrap, VesicleSnapshot& vesicle) const;

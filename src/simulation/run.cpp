@@ -65,7 +65,8 @@ public:
         }
     }
 
-    RunOutcome run(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed) {
+    /// `resumed` is the checkpoint the run goes on from, if any.
+    RunOutcome run(Engine& engine, RunMetrics& metrics, const Checkpoint* resumed) {
         account_.setting_up = seconds_since(begin_);
         account_.first_step = engine.steps_done();
         account_.threads = threads_;
@@ -84,14 +85,17 @@ public:
 private:
     std::string title() const { return case_.title.empty() ? case_.source_file : case_.title; }
 
-    LoopResult loop(Engine& engine, RunMetrics& metrics, std::optional<std::int64_t> resumed) {
+    LoopResult loop(Engine& engine, RunMetrics& metrics, const Checkpoint* resumed) {
         const StopRequest stop(case_.run.wall_time, begin_);
         Progress progress(progress_settings(engine), options_.out, Clock::now());
         const auto loop_begin = Clock::now();
         double recording = 0.0;
         LoopResult result;
         try {
-            RunRecorder recorder(case_, directory_, log_, metrics, progress, stop, resumed);
+            const auto from = resumed != nullptr ? std::optional(resumed->engine.step) : std::nullopt;
+            RunRecorder recorder(case_, directory_, log_, metrics, progress, stop, from);
+            if (resumed != nullptr)
+                recorder.restore(resumed->notes);
             const auto settle = [&] {
                 recording = recorder.seconds();
             };
@@ -224,13 +228,13 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
         start.reset();
     }
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
-    return session.run(*engine, metrics, std::nullopt);
+    return session.run(*engine, metrics, nullptr);
 }
 
 RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options) {
     const auto begin = Clock::now();
     OutputDirectory directory = OutputDirectory::open(options.directory);
-    const IntactCheckpoint found = newest_intact_checkpoint(options.directory / "checkpoints");
+    IntactCheckpoint found = newest_intact_checkpoint(options.directory / "checkpoints");
     Case what = read_case_text(found.checkpoint.case_text, found.path.string());
     const std::int64_t done = found.checkpoint.engine.step;
     if (steps && *steps < done)
@@ -252,8 +256,9 @@ RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions
     const auto engine = build_engine(what, options, threads);
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
     engine->load(found.checkpoint.engine);
+    found.checkpoint.engine.populations = {}; // the engine has them
     metrics.restore(found.checkpoint.notes);
-    return session.run(*engine, metrics, done);
+    return session.run(*engine, metrics, &found.checkpoint);
 }
 
 } // namespace vesica

@@ -19,6 +19,12 @@ FieldSeries series_for(const Case& what, const std::filesystem::path& directory,
     return FieldSeries(directory, options);
 }
 
+constexpr const char* samples_note = "average_samples";
+
+std::string sum_note(const std::string& name) {
+    return "average_sum_" + name;
+}
+
 } // namespace
 
 Dimension dimension_of(const std::string& quantity) {
@@ -40,7 +46,10 @@ Dimension dimension_of(const std::string& quantity) {
 
 RunFields::RunFields(const Case& what, const std::filesystem::path& directory,
                      std::optional<std::int64_t> resumed)
-    : output_(*what.output.fields), scales_(what.scales), series_(series_for(what, directory, resumed)) {}
+    : output_(*what.output.fields),
+      scales_(what.scales),
+      series_(series_for(what, directory, resumed)),
+      size_(what.parameters.size) {}
 
 void RunFields::sample(const Engine& engine) {
     if (samples_ == 0)
@@ -57,6 +66,37 @@ void RunFields::sample(const Engine& engine) {
             sum[k] += now.values[k];
     }
     ++samples_;
+}
+
+RunFields::Notes RunFields::notes() const {
+    Notes notes;
+    if (!output_.average || samples_ == 0)
+        return notes;
+    notes[samples_note] = {static_cast<double>(samples_)};
+    for (std::size_t index = 0; index < output_.names.size(); ++index)
+        notes[sum_note(output_.names[index])] = sums_[index].values;
+    return notes;
+}
+
+void RunFields::restore(const Notes& notes) {
+    const auto samples = notes.find(samples_note);
+    if (!output_.average || samples == notes.end())
+        return;
+    const auto cells = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                       static_cast<std::size_t>(size_.z);
+    sums_.clear();
+    for (const std::string& name : output_.names) {
+        const auto sum = notes.find(sum_note(name));
+        if (samples->second.size() != 1 || sum == notes.end() || sum->second.empty() ||
+            sum->second.size() % cells != 0)
+            throw RunError("the checkpoint's average of " + name + " is not of this case");
+        DenseField field;
+        field.size = size_;
+        field.components = static_cast<int>(sum->second.size() / cells);
+        field.values = sum->second;
+        sums_.push_back(std::move(field));
+    }
+    samples_ = static_cast<int>(samples->second.front());
 }
 
 void RunFields::write(const Engine& engine) {

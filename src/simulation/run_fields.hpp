@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,10 +26,17 @@ public:
     void sample(const Engine& engine);
     void write(const Engine& engine);
 
+    /// What a checkpoint must keep of an average that is not written yet; nothing between averages.
+    using Notes = std::map<std::string, std::vector<double>>;
+    Notes notes() const;
+    /// Throws RunError if the notes are not of this case.
+    void restore(const Notes& notes);
+
 private:
     FieldOutput output_;
     std::optional<Scales> scales_;
     FieldSeries series_;
+    Vec3<int> size_;
     std::vector<DenseField> sums_; ///< of the samples since the last output; empty before the first
     int samples_ = 0;
 };

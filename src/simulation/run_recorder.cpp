@@ -154,6 +154,8 @@ void RunRecorder::write_checkpoint(const Engine& engine) {
     checkpoint.engine = engine.save();
     checkpoint.case_text = resolved_toml(case_);
     checkpoint.notes = metrics_.notes();
+    if (fields_)
+        checkpoint.notes.merge(fields_->notes());
     checkpoint.program_version = version;
     const std::filesystem::path path = checkpoints_.write(checkpoint);
     log_.information(fmt::format("step {}: checkpoint {}", engine.steps_done(), path.filename().string()));

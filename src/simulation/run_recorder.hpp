@@ -25,6 +25,12 @@ public:
     RunRecorder(const Case& what, const OutputDirectory& directory, RunLog& log, RunMetrics& metrics,
                 Progress& progress, const StopRequest& stop, std::optional<std::int64_t> resumed);
 
+    /// Takes up the averages a checkpoint was in the middle of.
+    void restore(const RunMetrics::Notes& notes) {
+        if (fields_)
+            fields_->restore(notes);
+    }
+
     void record(Event event, const Engine& engine) override;
     void progressed(std::int64_t step) override { progress_.update(step); }
     bool is_steady() const override { return metrics_.is_steady(); }

@@ -229,6 +229,11 @@ TEST_CASE("a run gone wrong is noticed, with its place and cause") {
             population[at] += 0.05;
         state.populations[1][at] += 0.3;
     }
+    SECTION("a density that runs away at rest, while the fluid is faster elsewhere") {
+        for (auto& population : state.populations)
+            population[at] += 0.02;
+        state.populations[1][(20 * 32 + 8) * 32 + 3] += 0.1;
+    }
     engine->load(state);
     const auto trouble = engine->trouble();
     REQUIRE(trouble.has_value());
