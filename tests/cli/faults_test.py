@@ -1,5 +1,6 @@
 """What becomes of a run when processes die, disks fill up, directories vanish and files rot."""
 
+import hashlib
 import json
 import os
 import random
@@ -29,13 +30,13 @@ CASE = (
 
 
 def state_of(directory):
-    """All arrays of the last checkpoint, as bytes; the text of the case may differ in its comments."""
+    """Digests of all arrays of the last checkpoint; the text of the case may differ in its comments."""
     with h5py.File(directory / f"checkpoints/step_{STEPS:09}.h5") as checkpoint:
         arrays = {}
         checkpoint.visititems(lambda name, item: arrays.__setitem__(name, item)
                               if isinstance(item, h5py.Dataset) and name != "case" else None)
         assert {"band", "controllers", "minority", "populations", "notes/colour_mass"} <= set(arrays)
-        return {name: (array.dtype.str, array.shape, array[...].tobytes()) for name, array in arrays.items()}
+        return {name: (array.dtype.str, array.shape, hashlib.sha256(array[...].tobytes()).hexdigest()) for name, array in arrays.items()}
 
 
 class Faults(Program):
@@ -66,7 +67,7 @@ class Faults(Program):
             self.assertEqual(self.vesica("run", self.case, "-o", whole, "--threads", 2)[0], 0)
         self.assertEqual((target / "metrics.csv").read_text(), (whole / "metrics.csv").read_text())
         surface = f"surfaces/surface_{STEPS:09}.vtp"
-        self.assertEqual((target / surface).read_bytes(), (whole / surface).read_bytes())
+        self.assertTrue((target / surface).read_bytes() == (whole / surface).read_bytes())
         self.assertEqual(state_of(target), state_of(whole))
         self.assertEqual(json.loads((target / "summary.json").read_text())["end"], "finished")
 

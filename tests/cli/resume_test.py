@@ -1,10 +1,17 @@
 """What a resumed run writes beside metrics and surfaces."""
 
+import hashlib
+
 import h5py
 
 from tests.cli.program_test import SMALL, Program
 
 AVERAGES = 'fields = { every = 20, names = ["velocity", "phase"], average = true, stride = 2 }\n'
+
+
+def digest(array):
+    """Arrays that differ should not be printed."""
+    return hashlib.sha256(array[...].tobytes()).hexdigest()
 
 
 class Averages(Program):
@@ -13,11 +20,12 @@ class Averages(Program):
         self.case.write_text(SMALL.replace('shape = "sphere"', 'shape = "spheroid"\naspect = 0.8') + AVERAGES)
 
     def fields(self, directory):
-        with h5py.File(self.directory / directory / "fields.h5") as file:
-            arrays = {}
-            file.visititems(lambda name, item: arrays.__setitem__(name, item[...].tobytes())
-                            if isinstance(item, h5py.Dataset) else None)
-        self.assertTrue(any("velocity" in name for name in arrays), arrays.keys())
+        arrays = {}
+        for path in sorted((self.directory / directory / "fields").glob("step_*.h5")):
+            with h5py.File(path) as file:
+                file.visititems(lambda name, item, step=path.name: arrays.__setitem__((step, name), digest(item))
+                                if isinstance(item, h5py.Dataset) else None)
+        self.assertTrue(any("velocity" in name for _, name in arrays), arrays.keys())
         return arrays
 
     def test_an_average_goes_on_where_the_checkpoint_found_it(self):
@@ -35,5 +43,5 @@ class Averages(Program):
         self.assertEqual(self.vesica("run", self.case, "-o", "target", "--steps", 7)[0], 0)
         checkpoint = self.directory / "target/checkpoints/step_000000007.h5"
         with h5py.File(checkpoint) as file:
-            self.assertEqual(file["notes/average_samples"][...].tolist(), [8.0])
+            self.assertEqual(file["notes/average_samples"][...].tolist(), [7.0])
             self.assertEqual(file["notes/average_sum_velocity"].shape, (3 * 32**3,))
