@@ -7,10 +7,11 @@ namespace vesica {
 
 namespace {
 
+constexpr double beta = 0.67;
+
 template <class Real>
 void add_all(const char* isa_name, const Vec3<int>& size) {
     using Here = Surroundings<Real>;
-    static constexpr double beta = 0.67;
 
     add_kernel<Real>("colour/gather", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
         using V = typename Tiles::V;
