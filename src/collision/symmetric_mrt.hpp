@@ -88,13 +88,14 @@ private:
             V(diagonal_weight / ghost_norm(scalar_mode)) *
             (ghosts.template kept<GhostFamily::even_scalar>(rate) * fma(V(-2), axes, before.rest + planes));
         after.rest = fma(V(12), scalar, after.rest);
-        const V tensor_kept = V(1.0 / 3.0) * ghosts.template kept<GhostFamily::even_tensor>(rate);
-        const V both[3] = {before.axis[0] + before.plane[0], before.axis[1] + before.plane[1],
-                           before.axis[2] + before.plane[2]};
+        const V tensor_kept = ghosts.template kept<GhostFamily::even_tensor>(rate);
+        const V mean = V(1.0 / 3.0) * (axes + planes);
+        V tensor[3] = {tensor_kept * (before.axis[0] + before.plane[0] - mean),
+                       tensor_kept * (before.axis[1] + before.plane[1] - mean), V(0)};
+        tensor[2] = -(tensor[0] + tensor[1]);
         for_each_axis([&](auto k) VESICA_INLINE_LAMBDA {
-            const V tensor = tensor_kept * ((both[k] - both[(k + 1) % 3]) + (both[k] - both[(k + 2) % 3]));
-            after.axis[k] += fma(V(6 * axis_weight / ghost_norm(tensor_mode)), tensor, V(-4) * scalar);
-            after.plane[k] += fma(V(6 * diagonal_weight / ghost_norm(tensor_mode)), tensor, scalar);
+            after.axis[k] += fma(V(6 * axis_weight / ghost_norm(tensor_mode)), tensor[k], V(-4) * scalar);
+            after.plane[k] += fma(V(6 * diagonal_weight / ghost_norm(tensor_mode)), tensor[k], scalar);
         });
     }
 
