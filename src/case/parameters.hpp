@@ -179,6 +179,11 @@ struct VesicleParameters {
 enum class GeometryRecipe { mapped, paper };
 enum class Precision { double_precision, single_precision };
 
+/// As in a case file.
+constexpr const char* name_of(Precision precision) {
+    return precision == Precision::single_precision ? "single" : "double";
+}
+
 struct NumericsParameters {
     GeometryRecipe geometry = GeometryRecipe::mapped;
     double cutoff = 1e-2; ///< forces are tapered to zero below this 1 - phi^2

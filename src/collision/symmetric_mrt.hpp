@@ -77,8 +77,8 @@ private:
     static constexpr double diagonal_weight = weight(rising_diagonal(0));
 
     /// The scalar mode sees rest - 2 axes + planes. The tensor modes see, of axis k and the plane across it
-    /// together, how far they exceed the mean of all three; as differences, whose sum is zero in any
-    /// precision.
+    /// together, how far they exceed the mean of all three. The third is what makes their sum zero: so the
+    /// mass stays in any precision.
     template <class V>
     [[gnu::always_inline]] constexpr void keep_even_ghosts(const EvenParts<V>& before, const V& rate,
                                                            EvenParts<V>& after) const {

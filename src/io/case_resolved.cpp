@@ -319,7 +319,7 @@ std::string resolved_toml(const Case& resolved) {
     out.header("[numerics]", "numerics");
     out.text("geometry", parameters.numerics.geometry == GeometryRecipe::paper ? "paper" : "mapped");
     out.number("cutoff", parameters.numerics.cutoff);
-    out.text("precision", parameters.numerics.precision == Precision::single_precision ? "single" : "double");
+    out.text("precision", name_of(parameters.numerics.precision));
     out.text("device", "cpu");
     write_run(out, resolved);
     write_output(out, resolved.output);

@@ -62,11 +62,10 @@ std::string describe_checkpoint(const Path& path) {
         lines.add("refused", std::string_view(error.what()).substr(path.string().size() + 2));
         return lines.text();
     }
-    const bool single = summary.precision == Precision::single_precision;
     DescriptionLines lines(path, "checkpoint, intact");
     lines.add("step", std::to_string(summary.step));
     lines.add("lattice",
-              fmt::format("{}, {} precision", cells_text(summary.size), single ? "single" : "double"));
+              fmt::format("{}, {} precision", cells_text(summary.size), name_of(summary.precision)));
     lines.add("case", title_of_case(summary.case_text));
     lines.add("written by", fmt::format("Vesica {}, checkpoint format {}", summary.program_version,
                                         summary.format_version));

@@ -192,8 +192,7 @@ void measure_cases(int edge, Precision precision, const BenchOptions& options, B
         if (!chosen(standard, options))
             continue;
         if (options.progress != nullptr)
-            *options.progress << fmt::format("measuring {}, {}, {}^3\n", standard.text,
-                                             precision == Precision::double_precision ? "double" : "single",
+            *options.progress << fmt::format("measuring {}, {}, {}^3\n", standard.text, name_of(precision),
                                              edge)
                               << std::flush;
         report.cases.push_back(

@@ -6,14 +6,6 @@
 
 namespace vesica {
 
-namespace {
-
-const char* name_of(Precision precision) {
-    return precision == Precision::double_precision ? "double" : "single";
-}
-
-} // namespace
-
 std::string bench_text(const BenchReport& report) {
     std::string text = fmt::format("vesica {}, {} thread{}, {}\n\n", version, report.threads,
                                    report.threads == 1 ? "" : "s", report.instruction_set);

@@ -111,8 +111,7 @@ void describe_fluid(const Case& what, const Plan& plan, SideBySide& table) {
     table.value("density", fluid.density, dimension::density);
     table.value("relaxation time", plan.relaxation_time, dimension::none);
     table.text("collision", name_of(fluid.ghosts));
-    table.text("precision",
-               parameters.numerics.precision == Precision::double_precision ? "double" : "single");
+    table.text("precision", name_of(parameters.numerics.precision));
     table.value("interface width 2/beta", plan.interface_width, dimension::length);
     table.value("Mach number, from bending", plan.mach, dimension::none);
     if (what.inertia) {

@@ -97,8 +97,7 @@ RunSummary RunAccount::summary(const Case& what, const Plan& plan, const LoopRes
     summary.verdicts = judge_run(what.parameters, what.run, result.end, last);
     summary.warnings = texts_of(plan.remarks, Remark::Severity::warning);
     summary.size = what.parameters.size;
-    summary.precision =
-        what.parameters.numerics.precision == Precision::double_precision ? "double" : "single";
+    summary.precision = name_of(what.parameters.numerics.precision);
     summary.device = "cpu";
     summary.instruction_set = instruction_set;
     summary.threads = threads;

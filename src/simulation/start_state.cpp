@@ -30,6 +30,16 @@ std::filesystem::path find_start(const Case& what) {
         "directory `vesica run` named at its end");
 }
 
+IntactCheckpoint newest_of(const Case& what, const std::filesystem::path& store) {
+    try {
+        return newest_intact_checkpoint(store);
+    } catch (const InputError& none) {
+        refuse(what, "initial.checkpoint",
+               std::string("expected a run that left a checkpoint; ") + none.what() +
+                   "; try a run with [output] checkpoint = { every = ... }");
+    }
+}
+
 IntactCheckpoint read_start(const Case& what) {
     const std::filesystem::path path = find_start(what);
     try {
@@ -41,7 +51,7 @@ IntactCheckpoint read_start(const Case& what) {
         }
         const std::filesystem::path store = path / "checkpoints";
         if (!what.initial->step)
-            return newest_intact_checkpoint(store);
+            return newest_of(what, store);
         const std::filesystem::path chosen = checkpoint_path(store, *what.initial->step);
         if (!std::filesystem::exists(chosen))
             refuse(what, "initial.step",
@@ -65,7 +75,7 @@ void check_model(const Case& what, const Case& before, const std::filesystem::pa
         return fmt::format("[{}, {}, {}]", size.x, size.y, size.z);
     };
     const auto precision_text = [](Precision precision) {
-        return precision == Precision::single_precision ? "\"single\"" : "\"double\"";
+        return fmt::format("\"{}\"", name_of(precision));
     };
     const Parameters& now = what.parameters;
     const Parameters& then = before.parameters;

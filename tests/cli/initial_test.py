@@ -68,6 +68,8 @@ class Initial(Program):
         for command in ("run", "check"):
             self.refused(command, case, saying=[f"continued.toml:{line}:", 'initial.checkpoint is "nowhere"',
                                                 "no such file or directory"])
+        (self.directory / "empty").mkdir()
+        self.refused("run", self.continued("empty"), saying=[f"continued.toml:{line}:", "left a checkpoint"])
         self.refused("run", self.continued(more="step = 30\n"), saying=["initial.step is 30", "step_000000030.h5"])
         self.refused("run", self.continued("rest/checkpoints/step_000000040.h5", "step = 40\n"),
                      saying=["initial.step is 40", "expected none"])

@@ -11,7 +11,7 @@ using namespace vesica;
 using namespace vesica::test;
 
 TEST_CASE("the rate of a case is its cells over the time of a step") {
-    constexpr auto step = std::chrono::milliseconds(4);
+    constexpr auto step = std::chrono::milliseconds(10);
     BenchOptions options;
     options.threads = 1;
     options.edges = {40};
@@ -27,12 +27,12 @@ TEST_CASE("the rate of a case is its cells over the time of a step") {
     const BenchReport report = run_bench(options);
     REQUIRE(report.cases.size() == 2);
     REQUIRE(report.limits.size() == 2);
-    const double fastest = 1e-6 * 40 * 40 * 40 / 4e-3; // sleep may take longer, never less
+    const double fastest = 1e-6 * 40 * 40 * 40 / 10e-3; // sleep may take longer, never less
     for (std::size_t k = 0; k < 2; ++k) {
         const BenchCase& measured = report.cases[k];
         CHECK(measured.name == "crowd");
         CHECK(measured.mlups <= fastest);
-        CHECK(measured.mlups > 0.4 * fastest);
+        CHECK(measured.mlups > 0.6 * fastest);
         const BenchLimit& limit = report.limits[k];
         CHECK(limit.streaming_mlups == measured.streaming_mlups);
         CHECK(limit.bandwidth_mlups == measured.bandwidth_mlups);
