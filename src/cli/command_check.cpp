@@ -41,7 +41,8 @@ int check(const CheckArguments& arguments) {
     const int threads = arguments.threads > 0 ? arguments.threads : default_threads();
     std::optional<std::string> start;
     if (what.initial) {
-        const StartState found = read_start_state(what);
+        Colleagues nobody;
+        const StartState found = find_start_state(what, nobody);
         start = fmt::format("step {} of {}", found.step, found.path.string());
     }
     std::optional<RunCost> cost;

@@ -4,6 +4,9 @@
 #include "core/input_error.hpp"
 #include "core/version.hpp"
 #include "io/case_keys.hpp"
+#include "parallel/ranks.hpp"
+#include "simulation/crew.hpp"
+#include "simulation/stop.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -59,7 +62,30 @@ int parse_and_act(CLI::App& app, Action& action, int argument_count, const char*
 
 } // namespace
 
+namespace {
+
+int lead(int argument_count, const char* const* arguments, Crew* crew);
+
+} // namespace
+
 int command_line(int argument_count, const char* const* arguments) {
+    const MpiSession session;
+    const Ranks ranks = Ranks::all();
+    if (ranks.count() == 1)
+        return lead(argument_count, arguments, nullptr);
+    if (!ranks.leads()) {
+        const StopSignals ignored; // the rank that leads heeds them
+        return follow_orders(ranks);
+    }
+    Crew crew(ranks);
+    const int status = lead(argument_count, arguments, &crew);
+    crew.dismiss(status);
+    return status;
+}
+
+namespace {
+
+int lead(int argument_count, const char* const* arguments, Crew* crew) {
     CLI::App app{
         "Deformable vesicles in viscous flow, with one lattice Boltzmann framework and no surface mesh",
         "vesica"};
@@ -71,9 +97,9 @@ int command_line(int argument_count, const char* const* arguments) {
                "checkpoint\n"
                "written. `vesica COMMAND --help` tells more of a command.");
     Action action;
-    declare_run(app, action);
+    declare_run(app, action, crew);
     declare_check(app, action);
-    declare_resume(app, action);
+    declare_resume(app, action, crew);
     declare_new(app, action);
     declare_info(app, action);
     declare_bench(app, action);
@@ -97,5 +123,7 @@ int command_line(int argument_count, const char* const* arguments) {
     }
     return run_failed;
 }
+
+} // namespace
 
 } // namespace vesica

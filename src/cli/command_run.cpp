@@ -25,10 +25,17 @@ struct RunArguments {
     bool overwrite = false;
     bool profile = false;
     bool accept_soft_membranes = false;
+    Sharing sharing;
 };
 
-RunOptions options_of(const std::filesystem::path& directory, int threads, bool profile) {
+RunOptions options_of(const std::filesystem::path& directory, int threads, bool profile,
+                      const Sharing& sharing, Crew* crew) {
     RunOptions options;
+    options.crew = crew;
+    options.blocks = sharing.blocks;
+    options.balance = sharing.balance;
+    if (options.crew == nullptr && sharing.blocks)
+        layout_for({}, 1, sharing.blocks); // one rank has one block
     options.profile = profile;
     options.directory = directory;
     options.threads = threads;
@@ -57,12 +64,12 @@ void declare_profile(CLI::App& command, bool& profile) {
     command.add_flag("--profile", profile, "Say at the end where the steps' time went");
 }
 
-int run(const RunArguments& arguments) {
-    refuse_ranks();
+int run(const RunArguments& arguments, Crew* crew) {
     Case what = read_case(arguments.case_file, arguments.overrides);
     if (arguments.steps > 0)
         what.run.steps = arguments.steps;
-    RunOptions options = options_of(directory_of(arguments), arguments.threads, arguments.profile);
+    RunOptions options =
+        options_of(directory_of(arguments), arguments.threads, arguments.profile, arguments.sharing, crew);
     options.overwrite = arguments.overwrite;
     options.plan.accept_soft_membranes = arguments.accept_soft_membranes;
     return tell(run_case(what, options));
@@ -70,7 +77,7 @@ int run(const RunArguments& arguments) {
 
 } // namespace
 
-void declare_run(CLI::App& app, Action& action) {
+void declare_run(CLI::App& app, Action& action, Crew* crew) {
     CLI::App* const command = app.add_subcommand("run", "Run a case");
     const auto arguments = std::make_shared<RunArguments>();
     command->add_option("case", arguments->case_file, "The case file")->type_name("CASE.toml")->required();
@@ -82,21 +89,23 @@ void declare_run(CLI::App& app, Action& action) {
     command->add_flag("--overwrite", arguments->overwrite, "Replace what an earlier run left in DIR");
     declare_soft_membranes(*command, arguments->accept_soft_membranes);
     declare_profile(*command, arguments->profile);
+    declare_sharing(*command, arguments->sharing);
     command->footer(
         "SIGINT, SIGTERM or SIGUSR1 end the run after the step, with a checkpoint (exit status 3).");
-    command->callback([&action, arguments] {
-        action = [arguments] {
-            return run(*arguments);
+    command->callback([&action, arguments, crew] {
+        action = [arguments, crew] {
+            return run(*arguments, crew);
         };
     });
 }
 
-void declare_resume(CLI::App& app, Action& action) {
+void declare_resume(CLI::App& app, Action& action, Crew* crew) {
     struct Arguments {
         std::string directory;
         int threads = 0;
         std::int64_t steps = 0;
         bool profile = false;
+        Sharing sharing;
     };
     CLI::App* const command =
         app.add_subcommand("resume", "Continue a run from its newest intact checkpoint, bit for bit");
@@ -107,14 +116,14 @@ void declare_resume(CLI::App& app, Action& action) {
     declare_threads(*command, arguments->threads);
     declare_steps(*command, arguments->steps, "Steps in total, instead of those planned");
     declare_profile(*command, arguments->profile);
-    command->callback([&action, arguments] {
-        action = [arguments] {
-            refuse_ranks();
+    declare_sharing(*command, arguments->sharing);
+    command->callback([&action, arguments, crew] {
+        action = [arguments, crew] {
             std::optional<std::int64_t> steps;
             if (arguments->steps > 0)
                 steps = arguments->steps;
-            return tell(
-                resume_run(steps, options_of(arguments->directory, arguments->threads, arguments->profile)));
+            return tell(resume_run(steps, options_of(arguments->directory, arguments->threads,
+                                                     arguments->profile, arguments->sharing, crew)));
         };
     });
 }

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "core/vec3.hpp"
+#include "simulation/crew.hpp"
+
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +19,9 @@ namespace vesica {
 using Action = std::function<int()>;
 
 /// Each declares a command's options on `app` and leaves what to do in `action` when it is the one named.
-void declare_run(CLI::App& app, Action& action);
-void declare_resume(CLI::App& app, Action& action);
+/// `crew`: the ranks a launcher has started; null where this process is alone.
+void declare_run(CLI::App& app, Action& action, Crew* crew);
+void declare_resume(CLI::App& app, Action& action, Crew* crew);
 void declare_check(CLI::App& app, Action& action);
 void declare_new(CLI::App& app, Action& action);
 void declare_info(CLI::App& app, Action& action);
@@ -31,8 +36,11 @@ void declare_steps(CLI::App& command, std::int64_t& steps, const std::string& de
 void declare_threads(CLI::App& command, int& threads);
 void declare_soft_membranes(CLI::App& command, bool& accepted);
 
-/// Throws InputError if this process is one of several that mpirun has started: each would run the whole
-/// case.
-void refuse_ranks();
+/// How several ranks share a box: `--blocks X,Y,Z` and `--balance cells|interface`.
+struct Sharing {
+    std::optional<Vec3<int>> blocks;
+    Balance balance = Balance::interface;
+};
+void declare_sharing(CLI::App& command, Sharing& sharing);
 
 } // namespace vesica

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
-#include <cstdlib>
 
 namespace vesica {
 
@@ -63,15 +63,40 @@ void declare_soft_membranes(CLI::App& command, bool& accepted) {
         "Run membranes so soft that the recolouring's own resistance is more than a tenth of theirs");
 }
 
-void refuse_ranks() {
-    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-        const char* const ranks = std::getenv(name);
-        if (ranks != nullptr && std::atoi(ranks) > 1)
-            throw InputError(
-                std::string("this is one of ") + ranks +
-                " processes started by mpirun; expected one, as several ranks are not available yet; try "
-                "--threads N without mpirun");
-    }
+void declare_sharing(CLI::App& command, Sharing& sharing) {
+    command
+        .add_option_function<std::string>(
+            "--blocks",
+            [&sharing](const std::string& text) {
+                Vec3<int> blocks{};
+                std::size_t begin = 0;
+                for (int a = 0; a < 3; ++a) {
+                    const std::size_t end = a < 2 ? text.find(',', begin) : text.size();
+                    const char* const last = text.data() + std::min(end, text.size());
+                    const auto [stopped, code] = std::from_chars(text.data() + begin, last, blocks[a]);
+                    if (end == std::string::npos || code != std::errc{} || stopped != last || blocks[a] < 1)
+                        throw InputError(fmt::format("--blocks is {}; expected three whole numbers of blocks "
+                                                     "along x, y and z; try --blocks 1,2,2",
+                                                     text.empty() ? "empty" : text));
+                    begin = end + 1;
+                }
+                sharing.blocks = blocks;
+            },
+            "Blocks along x, y and z, one for each rank of mpirun; by default those with the smallest faces")
+        ->type_name("X,Y,Z");
+    command
+        .add_option_function<std::string>(
+            "--balance",
+            [&sharing](const std::string& text) {
+                if (text != "cells" && text != "interface")
+                    throw InputError(fmt::format("--balance is {}; expected cells or interface; try "
+                                                 "--balance interface",
+                                                 text.empty() ? "empty" : text));
+                sharing.balance = text == "cells" ? Balance::cells : Balance::interface;
+            },
+            "Cut blocks of equally many cells, or of equal work with the interfaces where they are at the "
+            "start (interface, the default)")
+        ->type_name("WHAT");
 }
 
 } // namespace vesica

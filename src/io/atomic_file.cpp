@@ -33,16 +33,7 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::write_at(std::uint64_t offset, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written =
-            ::pwrite(file_.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0)
-            fail_with_errno(target_, "cannot write");
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-        offset += static_cast<std::uint64_t>(written);
-    }
+    vesica::write_at(file_, offset, bytes, target_);
 }
 
 void AtomicFile::try_space(std::uint64_t bytes) {

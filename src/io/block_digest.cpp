@@ -25,18 +25,24 @@ Digest combine_digests(std::span<const Digest> blocks) {
     return digest_of({reinterpret_cast<const char*>(blocks.data()), blocks.size_bytes()});
 }
 
-Digest digest_of_file(const FileDescriptor& file, std::uint64_t offset, std::uint64_t length,
-                      const std::filesystem::path& path) {
+std::vector<Digest> digests_of_blocks(const FileDescriptor& file, std::uint64_t offset, std::uint64_t length,
+                                      std::uint64_t first, std::uint64_t last,
+                                      const std::filesystem::path& path) {
     std::vector<Digest> blocks;
     std::string buffer(static_cast<std::size_t>(std::min(length, digest_block_bytes)), '\0');
-    for (std::uint64_t done = 0; done < length;) {
-        const auto count = static_cast<std::size_t>(std::min(length - done, digest_block_bytes));
-        if (read_at(file, offset + done, buffer.data(), count, path) != count)
+    for (std::uint64_t block = first; block < last; ++block) {
+        const std::uint64_t begin = block * digest_block_bytes;
+        const auto count = static_cast<std::size_t>(std::min(length - begin, digest_block_bytes));
+        if (read_at(file, offset + begin, buffer.data(), count, path) != count)
             throw RunError(fmt::format("{}: became shorter while it was read", path.string()));
         blocks.push_back(digest_of({buffer.data(), count}));
-        done += count;
     }
-    return combine_digests(blocks);
+    return blocks;
+}
+
+Digest digest_of_file(const FileDescriptor& file, std::uint64_t offset, std::uint64_t length,
+                      const std::filesystem::path& path) {
+    return combine_digests(digests_of_blocks(file, offset, length, 0, digest_blocks(length), path));
 }
 
 } // namespace vesica

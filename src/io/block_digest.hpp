@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace vesica {
 
@@ -22,6 +23,17 @@ Digest digest_of(std::string_view bytes);
 
 /// Digest of the blocks' digests in order.
 Digest combine_digests(std::span<const Digest> blocks);
+
+/// How many blocks there are in so many bytes.
+constexpr std::uint64_t digest_blocks(std::uint64_t length) {
+    return (length + digest_block_bytes - 1) / digest_block_bytes;
+}
+
+/// Digests of blocks [first, last) of the `length` bytes of a file from `offset`, by plain reads. Throws
+/// RunError when they cannot be read.
+std::vector<Digest> digests_of_blocks(const FileDescriptor& file, std::uint64_t offset, std::uint64_t length,
+                                      std::uint64_t first, std::uint64_t last,
+                                      const std::filesystem::path& path);
 
 /// Digest of `length` bytes of a file from `offset`, by plain reads. Throws RunError when they cannot be
 /// read.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/engine_state.hpp"
+#include "io/state_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -12,20 +13,26 @@ namespace vesica {
 
 /// All that `resume` needs.
 struct Checkpoint {
-    EngineState engine;
+    EngineState engine;    ///< of the whole box, or of a rank's part
     std::string case_text; ///< the case in TOML, with all that the command line changed
     std::map<std::string, std::vector<double>> notes; ///< what schedules and measures remember, by name
     std::string program_version;
 };
 
-/// Writes one file, whole or not at all; the same checkpoint gives the same bytes. Numbers are kept bit for
-/// bit: arrays whose every value is a float are stored as floats in a single precision run. Throws RunError
-/// (no space, which is asked for first; vanished directory).
+/// Writes one file, whole or not at all; the same state gives the same bytes, however many ranks share it.
+/// Numbers are kept bit for bit: arrays whose every value is a float are stored as floats in a single
+/// precision run. With colleagues the checkpoint has the state of the leading rank's part, and they write
+/// theirs. Throws RunError (no space, which is asked for first; vanished directory).
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
+                      Colleagues& colleagues);
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Verifies the digest of the whole file before HDF5 opens it. Throws RunError naming the file and what is
 /// wrong.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+/// The same without the arrays of the box, which read_state reads part by part.
+Checkpoint read_checkpoint_notes(const std::filesystem::path& path, Colleagues& colleagues);
 
 /// What a checkpoint says of itself, read without its arrays but verified in full.
 struct CheckpointSummary {

@@ -31,17 +31,6 @@ std::string read_text(hid_t parent, const std::string& name, const Path& path) {
     return {bytes.begin(), bytes.end()};
 }
 
-std::vector<std::vector<double>> read_populations(hid_t parent, const Path& path) {
-    const Hdf5Dataset array = open_array(parent, "populations", path);
-    const auto shape = shape_of(array, path);
-    if (shape.size() != 2)
-        throw RunError(fmt::format("{}: the array populations has no rows", path.string()));
-    std::vector<std::vector<double>> rows(shape[0], std::vector<double>(shape[1]));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        read_rows(array, H5T_NATIVE_DOUBLE, i, shape[1] == 0 ? 0 : 1, rows[i].data(), path);
-    return rows;
-}
-
 void read_header(hid_t file, EngineState& state, const Path& path) {
     state.step = read_integer_attribute(file, "step", path);
     const std::int64_t bits = read_integer_attribute(file, "precision_bits", path);
@@ -51,31 +40,35 @@ void read_header(hid_t file, EngineState& state, const Path& path) {
     state.size = {static_cast<int>(read_integer_attribute(file, "size_x", path)),
                   static_cast<int>(read_integer_attribute(file, "size_y", path)),
                   static_cast<int>(read_integer_attribute(file, "size_z", path))};
+    state.part = {{}, state.size};
 }
 
 } // namespace
 
-Checkpoint read_checkpoint(const Path& path) {
-    verify_seal(path);
+Checkpoint read_checkpoint_notes(const Path& path, Colleagues& colleagues) {
+    verify_seal(path, colleagues);
     const QuietHdf5 quiet;
     const Hdf5File file = open_hdf5(path);
     Checkpoint checkpoint;
-    EngineState& state = checkpoint.engine;
-    read_header(file, state, path);
+    read_header(file, checkpoint.engine, path);
     checkpoint.program_version = read_text_attribute(file, "program_version", path);
     checkpoint.case_text = read_text(file, "case", path);
-    state.populations = read_populations(file, path);
-    state.minority = read_vector<double>(file, "minority", H5T_NATIVE_DOUBLE, path);
-    state.controllers = read_vector<double>(file, "controllers", H5T_NATIVE_DOUBLE, path);
-    state.band = read_vector<std::uint8_t>(file, "band", H5T_NATIVE_UINT8, path);
     const Hdf5Group notes(hdf5_checked(H5Gopen2(file, "notes", H5P_DEFAULT), path, "cannot read the notes"));
     for (const std::string& name : names_in(notes, path))
         checkpoint.notes[name] = read_vector<double>(notes, name, H5T_NATIVE_DOUBLE, path);
     return checkpoint;
 }
 
+Checkpoint read_checkpoint(const Path& path) {
+    Colleagues nobody;
+    Checkpoint checkpoint = read_checkpoint_notes(path, nobody);
+    checkpoint.engine = read_state(path, {{}, checkpoint.engine.size});
+    return checkpoint;
+}
+
 CheckpointSummary summarise_checkpoint(const Path& path) {
-    const CheckpointSeal found = verify_seal(path);
+    Colleagues nobody;
+    const CheckpointSeal found = verify_seal(path, nobody);
     const QuietHdf5 quiet;
     const Hdf5File file = open_hdf5(path);
     EngineState state;

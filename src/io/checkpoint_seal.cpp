@@ -46,7 +46,7 @@ template <class... Arguments>
 
 } // namespace
 
-void seal(AtomicFile& file, std::string_view text) {
+void seal(AtomicFile& file, std::string_view text, Colleagues& colleagues) {
     const std::uint64_t length = length_of(file.descriptor(), file.target());
     assert(length >= seal_bytes && text.size() < seal_bytes - text_at);
     std::string block(seal_bytes, '\0');
@@ -56,13 +56,13 @@ void seal(AtomicFile& file, std::string_view text) {
     put_number(block, payload_at, length - seal_bytes, 8);
     put_number(block, block_at, digest_block_bytes, 8);
     put_digest(block, digest_at,
-               digest_of_file(file.descriptor(), seal_bytes, length - seal_bytes, file.target()));
+               colleagues.digest(file.temporary(), seal_bytes, length - seal_bytes, file.target()));
     block.replace(text_at, text.size(), text);
     put_digest(block, own_digest_at, digest_of(block));
     file.write_at(0, block);
 }
 
-CheckpointSeal verify_seal(const std::filesystem::path& path) {
+CheckpointSeal verify_seal(const std::filesystem::path& path, Colleagues& colleagues) {
     const FileDescriptor file = open_file(path, O_RDONLY, "cannot open");
     const std::uint64_t length = length_of(file, path);
     std::string block(seal_bytes, '\0');
@@ -92,7 +92,7 @@ CheckpointSeal verify_seal(const std::filesystem::path& path) {
         refuse(path, "is truncated: {} of {} bytes are left", length, promised);
     if (length > promised)
         refuse(path, "is damaged: {} bytes follow its end", length - promised);
-    if (!has_digest(block, digest_at, digest_of_file(file, seal_bytes, found.payload_bytes, path)))
+    if (!has_digest(block, digest_at, colleagues.digest(path, seal_bytes, found.payload_bytes, path)))
         refuse(path, "is damaged: its content does not agree with its digest");
     return found;
 }

@@ -2,6 +2,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/block_digest.hpp"
+#include "io/state_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -33,11 +34,11 @@ inline constexpr std::uint64_t seal_bytes = 4096;
 inline constexpr std::uint32_t checkpoint_format_version = 1;
 
 /// Digests what stands behind the seal and writes the seal.
-void seal(AtomicFile& file, std::string_view text);
+void seal(AtomicFile& file, std::string_view text, Colleagues& colleagues);
 
 /// Reads and verifies the seal and every byte behind it. Throws RunError naming the file and what is wrong
 /// with it: no checkpoint, truncated, damaged, or of another version of the format.
-CheckpointSeal verify_seal(const std::filesystem::path& path);
+CheckpointSeal verify_seal(const std::filesystem::path& path, Colleagues& colleagues);
 
 /// Whether the file begins like a checkpoint, intact or not.
 bool looks_like_checkpoint(const std::filesystem::path& path);

@@ -22,8 +22,13 @@ CheckpointStore::CheckpointStore(std::filesystem::path directory, int keep)
 }
 
 std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint) const {
+    Colleagues nobody;
+    return write(checkpoint, nobody);
+}
+
+std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint, Colleagues& colleagues) const {
     const auto path = checkpoint_path(directory_, checkpoint.engine.step);
-    write_checkpoint(path, checkpoint);
+    write_checkpoint(path, checkpoint, colleagues);
     auto steps = list_steps(directory_, "step_", ".h5");
     std::erase_if(steps, [&](std::int64_t step) { return step > checkpoint.engine.step; });
     for (std::size_t i = 0; i + static_cast<std::size_t>(keep_) < steps.size(); ++i) {
@@ -34,12 +39,17 @@ std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint) const
 }
 
 IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory) {
+    Colleagues nobody;
+    return newest_intact_checkpoint(directory, nobody);
+}
+
+IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory, Colleagues& colleagues) {
     std::vector<std::string> refused;
     const auto steps = list_steps(directory, "step_", ".h5");
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
         const auto path = checkpoint_path(directory, *step);
         try {
-            return {read_checkpoint(path), path, refused};
+            return {read_checkpoint_notes(path, colleagues), path, refused};
         } catch (const RunError& error) {
             refused.emplace_back(error.what());
         }

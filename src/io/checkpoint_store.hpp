@@ -17,6 +17,7 @@ public:
     /// Writes, and only then removes older checkpoints beyond the `keep` newest up to this step. Those of
     /// later steps (a resumed run went back behind damaged ones) do not count and stay until they are written
     /// anew. Returns the file. Throws RunError.
+    std::filesystem::path write(const Checkpoint& checkpoint, Colleagues& colleagues) const;
     std::filesystem::path write(const Checkpoint& checkpoint) const;
 
 private:
@@ -25,13 +26,14 @@ private:
 };
 
 struct IntactCheckpoint {
-    Checkpoint checkpoint;
+    Checkpoint checkpoint; ///< without the arrays of the box (read_checkpoint_notes)
     std::filesystem::path path;
     std::vector<std::string> refused; ///< newer ones that could not serve: file and reason each
 };
 
 /// The newest checkpoint whose digest is right. Throws InputError when there is no
 /// checkpoint, RunError with every reason when none is intact.
+IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory, Colleagues& colleagues);
 IntactCheckpoint newest_intact_checkpoint(const std::filesystem::path& directory);
 
 std::filesystem::path checkpoint_path(const std::filesystem::path& directory, std::int64_t step);

@@ -20,14 +20,12 @@ using Row = std::span<const double>;
 static_assert(std::endian::native == std::endian::little,
               "the arrays are declared little-endian and written raw");
 
-/// An array whose place in the file HDF5 has decided and whose bytes are still to be written. HDF5 writes
-/// only the small structure: it does not recover from a disk that fills up under it, and plain writes at
+/// A small array whose place in the file HDF5 has decided and whose bytes are still to be written. HDF5
+/// writes only the structure: it does not recover from a disk that fills up under it, and plain writes at
 /// known places are what several ranks can share.
 struct PlacedArray {
     std::uint64_t offset = 0;
-    std::vector<Row> rows;  ///< of reals
-    bool as_floats = false; ///< how they are stored
-    std::string bytes;      ///< of anything else
+    std::string bytes;
 };
 
 /// Whether storing as float loses nothing, signs of zeros and bits of NaNs included.
@@ -38,86 +36,68 @@ bool all_floats(Row values) {
     });
 }
 
+bool all_floats(const std::vector<std::vector<double>>& rows) {
+    return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return all_floats(Row(row)); });
+}
+
 class Structure {
 public:
     Structure(hid_t file, const Path& path) : file_(file), path_(path) {}
 
-    void add_reals(hid_t parent, const std::string& name, Row values, bool try_float) {
-        const bool floats = try_float && all_floats(values);
-        place(parent, name, real_type(floats), {values.size()}, {0, {values}, floats, {}});
+    /// The state's arrays, in one piece each; whoever has their parts fills them.
+    StateFile add_state(const EngineState& state) {
+        const auto cells = static_cast<hsize_t>(CellBox{{}, state.size}.volume());
+        const bool single = state.precision == Precision::single_precision;
+        StateFile places;
+        places.float_populations = single && all_floats(state.populations);
+        places.float_minority = single && all_floats(Row(state.minority));
+        places.band = place(file_, "band", H5T_STD_U8LE, {cells});
+        places.populations = place(file_, "populations", real_type(places.float_populations),
+                                   {state.populations.size(), state.populations.empty() ? 0 : cells});
+        places.minority = place(file_, "minority", real_type(places.float_minority), {cells});
+        add_reals(file_, "controllers", state.controllers);
+        return places;
     }
-    void add_populations(const EngineState& state) {
-        std::vector<Row> rows(state.populations.begin(), state.populations.end());
-        const std::size_t length = rows.empty() ? 0 : rows.front().size();
-        assert(std::all_of(rows.begin(), rows.end(), [&](Row row) { return row.size() == length; }));
-        const bool floats = state.precision == Precision::single_precision &&
-                            std::all_of(rows.begin(), rows.end(), all_floats);
-        const std::size_t count = rows.size();
-        place(file_, "populations", real_type(floats), {count, length}, {0, std::move(rows), floats, {}});
+    void add_reals(hid_t parent, const std::string& name, Row values) {
+        const std::uint64_t offset = place(parent, name, H5T_IEEE_F64LE, {values.size()});
+        small_.push_back({offset, {reinterpret_cast<const char*>(values.data()), values.size_bytes()}});
     }
-    void add_bytes(const std::string& name, std::string bytes) {
-        const std::size_t count = bytes.size();
-        place(file_, name, H5T_STD_U8LE, {count}, {0, {}, false, std::move(bytes)});
+    void add_text(const std::string& name, const std::string& text) {
+        small_.push_back({place(file_, name, H5T_STD_U8LE, {text.size()}), text});
     }
-    const std::vector<PlacedArray>& arrays() const { return arrays_; }
+    const std::vector<PlacedArray>& small() const { return small_; }
 
 private:
     static hid_t real_type(bool floats) { return floats ? H5T_IEEE_F32LE : H5T_IEEE_F64LE; }
 
-    void place(hid_t parent, const std::string& name, hid_t type, const std::vector<hsize_t>& shape,
-               PlacedArray array) {
-        array.offset = place_array(parent, name, type, shape, path_);
-        arrays_.push_back(std::move(array));
+    std::uint64_t place(hid_t parent, const std::string& name, hid_t type,
+                        const std::vector<hsize_t>& shape) {
+        return place_array(parent, name, type, shape, path_);
     }
 
     hid_t file_;
     const Path& path_;
-    std::vector<PlacedArray> arrays_;
+    std::vector<PlacedArray> small_;
 };
 
-/// Writes the values as floats, a block at a time.
-std::uint64_t write_floats(AtomicFile& file, std::uint64_t offset, Row row) {
-    constexpr std::size_t block = std::size_t{1} << 18;
-    std::vector<float> buffer;
-    for (std::size_t begin = 0; begin < row.size(); begin += block) {
-        const Row part = row.subspan(begin, std::min(block, row.size() - begin));
-        buffer.resize(part.size());
-        std::transform(part.begin(), part.end(), buffer.begin(),
-                       [](double v) { return static_cast<float>(v); });
-        const std::size_t bytes = buffer.size() * sizeof(float);
-        file.write_at(offset, {reinterpret_cast<const char*>(buffer.data()), bytes});
-        offset += bytes;
-    }
-    return offset;
-}
-
-void write_values(AtomicFile& file, const PlacedArray& array) {
-    std::uint64_t offset = array.offset;
-    for (const Row row : array.rows) {
-        if (array.as_floats) {
-            offset = write_floats(file, offset, row);
-        } else {
-            file.write_at(offset, {reinterpret_cast<const char*>(row.data()), row.size_bytes()});
-            offset += row.size_bytes();
-        }
-    }
-    file.write_at(offset, array.bytes);
-}
-
 std::uint64_t bytes_needed(const Checkpoint& checkpoint) {
-    const auto& state = checkpoint.engine;
-    std::uint64_t reals = state.minority.size() + state.controllers.size();
-    for (const auto& row : state.populations)
-        reals += row.size();
-    for (const auto& [name, values] : checkpoint.notes)
-        reals += values.size();
+    const EngineState& state = checkpoint.engine;
+    const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, state.size}.volume());
     const std::uint64_t width = state.precision == Precision::single_precision ? 4 : 8;
-    return reals * width + state.band.size() + checkpoint.case_text.size() + (std::uint64_t{1} << 20);
+    std::uint64_t bytes = cells * ((state.populations.size() + 1) * width + 1);
+    for (const auto& [name, values] : checkpoint.notes)
+        bytes += values.size() * sizeof(double);
+    return bytes + checkpoint.case_text.size() + (std::uint64_t{1} << 20);
 }
 
 } // namespace
 
 void write_checkpoint(const Path& path, const Checkpoint& checkpoint) {
+    Colleagues nobody;
+    write_checkpoint(path, checkpoint, nobody);
+}
+
+void write_checkpoint(const Path& path, const Checkpoint& checkpoint, Colleagues& colleagues) {
     const QuietHdf5 quiet;
     const EngineState& state = checkpoint.engine;
     const bool single = state.precision == Precision::single_precision;
@@ -134,21 +114,23 @@ void write_checkpoint(const Path& path, const Checkpoint& checkpoint) {
     write_attribute(file, "size_z", std::int64_t{state.size.z}, path);
     write_attribute(file, "program_version", checkpoint.program_version, path);
     Structure structure(file, path);
-    structure.add_bytes("case", checkpoint.case_text);
-    structure.add_bytes("band", {state.band.begin(), state.band.end()});
-    structure.add_populations(state);
-    structure.add_reals(file, "minority", state.minority, single);
-    structure.add_reals(file, "controllers", state.controllers, false);
+    structure.add_text("case", checkpoint.case_text);
+    StateFile places = structure.add_state(state);
+    places.temporary = target.temporary();
+    places.target = path;
     {
         const Hdf5Group notes = create_group(file, "notes", path);
         for (const auto& [name, values] : checkpoint.notes)
-            structure.add_reals(notes, name, values, false);
+            structure.add_reals(notes, name, values);
     }
     close_hdf5(file, path);
-    for (const PlacedArray& array : structure.arrays())
-        write_values(target, array);
-    seal(target, fmt::format("Vesica {} checkpoint of step {}, HDF5 after {} bytes\n",
-                             checkpoint.program_version, state.step, seal_bytes));
+    for (const PlacedArray& array : structure.small())
+        target.write_at(array.offset, array.bytes);
+    colleagues.write_state(places, state);
+    seal(target,
+         fmt::format("Vesica {} checkpoint of step {}, HDF5 after {} bytes\n", checkpoint.program_version,
+                     state.step, seal_bytes),
+         colleagues);
     target.commit();
 }
 

@@ -48,6 +48,20 @@ void write_fully(const FileDescriptor& file, std::string_view bytes, const std::
     }
 }
 
+void write_at(const FileDescriptor& file, std::uint64_t offset, std::string_view bytes,
+              const std::filesystem::path& path) {
+    while (!bytes.empty()) {
+        const ssize_t written =
+            ::pwrite(file.number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            fail_with_errno(path, "cannot write");
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+        offset += static_cast<std::uint64_t>(written);
+    }
+}
+
 std::size_t read_at(const FileDescriptor& file, std::uint64_t offset, char* into, std::size_t count,
                     const std::filesystem::path& path) {
     std::size_t done = 0;

@@ -37,6 +37,10 @@ FileDescriptor open_file(const std::filesystem::path& path, int flags, std::stri
 /// Writes every byte or throws RunError.
 void write_fully(const FileDescriptor& file, std::string_view bytes, const std::filesystem::path& path);
 
+/// The same, from `offset` on.
+void write_at(const FileDescriptor& file, std::uint64_t offset, std::string_view bytes,
+              const std::filesystem::path& path);
+
 /// Reads up to `count` bytes at `offset`; fewer only at the end of the file. Returns the number read.
 std::size_t read_at(const FileDescriptor& file, std::uint64_t offset, char* into, std::size_t count,
                     const std::filesystem::path& path);

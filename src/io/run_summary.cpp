@@ -2,8 +2,10 @@
 
 #include "io/atomic_file.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -55,7 +57,60 @@ Json scales_of(const RunSummary& summary) {
             {"density_kg_per_m3", summary.scales->density}};
 }
 
+Json axes(const Vec3<int>& values) {
+    return Json::array({values.x, values.y, values.z});
+}
+
+Json parallel_of(const ParallelSummary& parallel) {
+    const double steps = static_cast<double>(std::max<std::int64_t>(parallel.steps, 1));
+    const auto per_step = [&](std::int64_t count) {
+        return number(static_cast<double>(count) / steps);
+    };
+    Json ranks = Json::array();
+    for (const ParallelSummary::Rank& rank : parallel.ranks)
+        ranks.push_back({{"begin", axes(rank.block.begin)},
+                         {"size", axes(rank.block.size)},
+                         {"interface_cells", rank.interface_cells},
+                         {"working_seconds", number(rank.working)},
+                         {"waiting_seconds", number(rank.waiting)}});
+    return {{"blocks", axes(parallel.blocks)},
+            {"imbalance", number(parallel.imbalance())},
+            {"waiting_share", number(parallel.waiting_share())},
+            {"population_messages_per_step", per_step(parallel.population_messages)},
+            {"population_bytes_per_step", per_step(parallel.population_bytes)},
+            {"band_messages_per_step", per_step(parallel.band_messages)},
+            {"band_bytes_per_step", per_step(parallel.band_bytes)},
+            {"ranks", std::move(ranks)}};
+}
+
 } // namespace
+
+double ParallelSummary::imbalance() const {
+    double most = 0.0;
+    double sum = 0.0;
+    for (const Rank& rank : ranks) {
+        most = std::max(most, rank.working);
+        sum += rank.working;
+    }
+    return sum > 0.0 ? most * static_cast<double>(ranks.size()) / sum : 1.0;
+}
+
+double ParallelSummary::waiting_share() const {
+    double working = 0.0;
+    double waiting = 0.0;
+    for (const Rank& rank : ranks) {
+        working += rank.working;
+        waiting += rank.waiting;
+    }
+    return waiting > 0.0 ? waiting / (working + waiting) : 0.0;
+}
+
+std::string ParallelSummary::text() const {
+    return fmt::format(
+        "{} ranks in {} x {} x {} blocks: the busiest worked {:.2f} times as long as the mean, "
+        "{:.0f} % of the steps' time went into waiting",
+        ranks.size(), blocks.x, blocks.y, blocks.z, imbalance(), 100.0 * waiting_share());
+}
 
 void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
     Json json;
@@ -74,6 +129,8 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
                        {"instruction_set", summary.instruction_set},
                        {"threads", summary.threads},
                        {"ranks", summary.ranks}};
+    if (!summary.parallel.ranks.empty())
+        json["parallel"] = parallel_of(summary.parallel);
     json["mlups"] = number(summary.mlups);
     json["seconds"] = numbers(summary.seconds);
     json["profile"] = numbers(summary.profile);

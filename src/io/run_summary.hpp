@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/cell_box.hpp"
 #include "core/scales.hpp"
-#include "core/vec3.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -17,6 +17,29 @@ struct Verdict {
     std::string name;
     bool passed = false;
     std::string text;
+};
+
+/// How several ranks shared a run out, and what travelled between them.
+struct ParallelSummary {
+    struct Rank {
+        CellBox block{};
+        std::int64_t interface_cells = 0; ///< at the end
+        double working = 0.0;             ///< seconds of stepping
+        double waiting = 0.0;             ///< seconds of it for others
+    };
+
+    Vec3<int> blocks{};      ///< along each axis
+    std::vector<Rank> ranks; ///< none: one process
+    std::int64_t steps = 0;
+    std::int64_t population_messages = 0; ///< all ranks, all steps
+    std::int64_t population_bytes = 0;
+    std::int64_t band_messages = 0;
+    std::int64_t band_bytes = 0;
+
+    /// The busiest rank's work by the mean: 1 is perfect, and its inverse the most that can be had of them.
+    double imbalance() const;
+    double waiting_share() const; ///< of all ranks' seconds of stepping
+    std::string text() const;     ///< a line for people
 };
 
 /// What summary.json tells of a run.
@@ -35,6 +58,7 @@ struct RunSummary {
     std::string instruction_set;
     int threads = 1;
     int ranks = 1;
+    ParallelSummary parallel;
     double bytes_allocated = 0.0;
     double mlups = 0.0;                          ///< million lattice updates per second of stepping
     std::map<std::string, double> seconds;       ///< wall time by what it was spent on

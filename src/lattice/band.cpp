@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace vesica {
 
@@ -9,29 +10,20 @@ namespace {
 
 constexpr int tile = Grid::tile;
 
-int wrapped(int value, int size) {
-    return value < 0 ? value + size : value >= size ? value - size : value;
-}
-
 } // namespace
 
-Band::Band(const Grid& grid) : grid_(grid), slot_of_tile_(static_cast<std::size_t>(grid.tiles()), -1) {
-    for (Bits& bits : level_bits_)
-        bits.assign(static_cast<std::size_t>(grid.tiles()), 0);
-}
+Band::Band(const Block& block)
+    : block_(block),
+      grid_(block.own.size),
+      growth_(block),
+      parts_(halo_parts(block)),
+      slot_of_tile_(static_cast<std::size_t>(grid_.tiles()), -1) {}
 
-void Band::rebuild(const std::vector<Seed>& core) {
+void Band::rebuild(const std::vector<Seed>& core, const std::vector<ForeignSeed>& foreign) {
     clear();
-    for (const Seed& seed : core)
-        mark(0, seed.tile, seed.bits);
-    for (int level = 0; level < outermost; ++level)
-        grow(level);
+    growth_.grow(core, foreign);
     lay_out();
-    for (int level = 0; level <= outermost; ++level) {
-        for (const std::int64_t t : marked_[level])
-            level_bits_[level][static_cast<std::size_t>(t)] = 0;
-        marked_[level].clear();
-    }
+    growth_.forget();
 }
 
 void Band::clear() {
@@ -40,95 +32,54 @@ void Band::clear() {
     occupied_.clear();
     tiles_.clear();
     ghost_copies_.clear();
-    for (auto& list : of_level_)
-        list.clear();
+    part_cells_.clear();
+    for (int level = 0; level <= outermost; ++level) {
+        of_level_[level].clear();
+        rim_of_level_[level].clear();
+        inner_of_level_[level].clear();
+    }
 }
 
-void Band::mark(int level, std::int64_t t, std::uint8_t bits) {
-    std::uint8_t& held = level_bits_[level][static_cast<std::size_t>(t)];
-    if (held == 0 && bits != 0)
-        marked_[level].push_back(t);
-    held |= bits;
-}
-
-/// Marks bits in a row at level; with `sideways` also their neighbours along x, across the periodic face if
-/// need be.
-void Band::spread(std::int64_t row_tile, int tile_in_row, std::uint8_t bits, bool sideways, int level) {
-    mark(level, row_tile + tile_in_row, bits);
-    if (!sideways)
-        return;
-    const int nx = grid_.size().x;
-    const int x0 = (tile_in_row - 1) * tile;
-    const auto mark_cell = [&](int x) {
-        mark(level, row_tile + 1 + x / tile, static_cast<std::uint8_t>(1u << (x % tile)));
+/// The tiles of the band in the block, and those of its ghosts that stand for cells of the band.
+std::vector<std::int64_t> Band::tiles_to_address() const {
+    std::vector<std::int64_t> members;
+    const Vec3<int> size = grid_.size();
+    const auto add_row = [&](const Vec3<int>& first, int y, int z) {
+        const std::uint8_t bits = growth_.bits(outermost, first);
+        if (block_.divided.x) {
+            // The ghosts at the row's ends are cells of the margin: a tile may hold some of either.
+            unsigned within = 0;
+            for (int k = 0; k < tile; ++k)
+                if (first.x + k >= -1 && first.x + k <= size.x)
+                    within |= 1u << k;
+            if ((bits & within) != 0)
+                members.push_back(grid_.index(first.x, y, z) / tile);
+            return;
+        }
+        const int last = std::min(tile, size.x - first.x) - 1;
+        members.push_back(grid_.index(first.x, y, z) / tile);
+        if (first.x == 0 && (bits & 1u) != 0)
+            members.push_back(grid_.index(size.x, y, z) / tile);
+        if (first.x + last == size.x - 1 && (bits >> last & 1u) != 0)
+            members.push_back(grid_.index(-tile, y, z) / tile);
     };
-    const unsigned wide = bits;
-    const unsigned last = static_cast<unsigned>(std::min(tile, nx - x0)) - 1;
-    const unsigned inside = (2u << last) - 1;
-    mark(level, row_tile + tile_in_row, static_cast<std::uint8_t>((wide << 1 | wide >> 1) & inside));
-    if (wide & 1u)
-        mark_cell(wrapped(x0 - 1, nx));
-    if (wide >> last & 1u)
-        mark_cell(wrapped(x0 + static_cast<int>(last) + 1, nx));
-}
-
-/// level + 1 is level and all cells one link of D3Q19 away from it.
-void Band::grow(int level) {
-    const Vec3<int> size = grid_.size();
-    // marked_ of this level is complete; the next level's list grows while we go through it.
-    for (std::size_t k = 0; k < marked_[level].size(); ++k) {
-        const std::int64_t t = marked_[level][k];
-        const std::uint8_t bits = level_bits_[level][static_cast<std::size_t>(t)];
-        mark(level + 1, t, bits);
-        // Neighbours of what the level before held belong to this level, and so to the next, already.
-        const std::uint8_t before = level > 0 ? level_bits_[level - 1][static_cast<std::size_t>(t)] : 0;
-        const auto fresh = static_cast<std::uint8_t>(bits & ~before);
-        if (fresh == 0)
-            continue;
-        const Vec3<int> origin = grid_.tile_origin(t);
-        const int tile_in_row = static_cast<int>(t % grid_.tiles_per_row());
+    growth_.for_each_tile([&](const Vec3<int>& first) {
         for (int dz = -1; dz <= 1; ++dz)
             for (int dy = -1; dy <= 1; ++dy) {
-                const std::int64_t row =
-                    grid_.index(-tile, wrapped(origin.y + dy, size.y), wrapped(origin.z + dz, size.z)) / tile;
-                spread(row, tile_in_row, fresh, dy == 0 || dz == 0, level + 1);
+                const int y = first.y + dy * size.y;
+                const int z = first.z + dz * size.z;
+                const bool image_of_other = (dy != 0 && block_.divided.y) || (dz != 0 && block_.divided.z);
+                if (!image_of_other && y >= -1 && y <= size.y && z >= -1 && z <= size.z)
+                    add_row(first, y, z);
             }
-    }
-}
-
-/// Ghost tiles whose cells mirror cells of the band: they get addresses too.
-void Band::place_ghosts(std::vector<std::int64_t>& members) const {
-    const Vec3<int> size = grid_.size();
-    const std::size_t interior = members.size();
-    for (std::size_t k = 0; k < interior; ++k) {
-        const std::int64_t t = members[k];
-        const Vec3<int> o = grid_.tile_origin(t);
-        const int last = std::min(tile, size.x - o.x) - 1;
-        const std::uint8_t bits = level_bits_[outermost][static_cast<std::size_t>(t)];
-        const bool low_x = o.x == 0 && (bits & 1u) != 0;
-        const bool high_x = o.x + last == size.x - 1 && (bits >> last & 1u) != 0;
-        for (int dz = -1; dz <= 1; ++dz)
-            for (int dy = -1; dy <= 1; ++dy) {
-                const int y = o.y + dy * size.y;
-                const int z = o.z + dz * size.z;
-                if (y < -1 || y > size.y || z < -1 || z > size.z)
-                    continue;
-                if (dy != 0 || dz != 0)
-                    members.push_back(grid_.index(o.x, y, z) / tile);
-                if (low_x)
-                    members.push_back(grid_.index(size.x, y, z) / tile);
-                if (high_x)
-                    members.push_back(grid_.index(-tile, y, z) / tile);
-            }
-    }
+    });
+    std::sort(members.begin(), members.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
+    return members;
 }
 
 void Band::lay_out() {
-    std::vector<std::int64_t> members = marked_[outermost];
-    place_ghosts(members);
-    std::sort(members.begin(), members.end());
-    members.erase(std::unique(members.begin(), members.end()), members.end());
-
+    std::vector<std::int64_t> members = tiles_to_address();
     // Addresses: tiles 1 and 2 stand for everything outside the band, with an unused tile on either side.
     std::int64_t address = 3 * tile;
     std::int64_t previous = -2;
@@ -140,17 +91,25 @@ void Band::lay_out() {
         previous = t;
     }
     compact_size_ = address + tile;
-    cell_count_ = 0;
+    list_tiles(members);
+    list_ghost_copies(members);
+    occupied_ = std::move(members);
+    if (parts_.empty())
+        return;
+    list_part_cells();
+    part_rim_from_inner();
+}
 
+void Band::list_tiles(const std::vector<std::int64_t>& members) {
+    cell_count_ = 0;
     for (const std::int64_t t : members) {
-        const std::size_t at = static_cast<std::size_t>(t);
-        if (level_bits_[outermost][at] == 0)
+        if (own_bits(outermost, t) == 0)
             continue;
         BandTile band_tile;
         band_tile.tile = t;
         band_tile.cell = t * tile;
         for (int level = 0; level <= outermost; ++level) {
-            band_tile.bits[level] = level_bits_[level][at];
+            band_tile.bits[level] = own_bits(level, t);
             if (band_tile.bits[level] != 0)
                 of_level_[level].push_back(static_cast<std::int32_t>(tiles_.size()));
         }
@@ -160,8 +119,6 @@ void Band::lay_out() {
             tiles_.back().followed = follows(tiles_.back(), band_tile);
         tiles_.push_back(band_tile);
     }
-    occupied_ = std::move(members);
-    list_ghost_copies();
 }
 
 void Band::link(BandTile& band_tile) const {
@@ -181,33 +138,69 @@ bool Band::follows(const BandTile& first, const BandTile& second) {
     return true;
 }
 
-void Band::list_ghost_copies() {
+/// Ghosts that stand for cells of this block.
+void Band::list_ghost_copies(const std::vector<std::int64_t>& members) {
     const Vec3<int> size = grid_.size();
-    for (const std::int64_t t : occupied_) {
-        const Vec3<int> o = grid_.tile_origin(t);
-        const bool ghost_row = !grid_.is_interior_row(o.y, o.z);
+    const auto is_outside = [&](const Vec3<int>& cell, int axis) {
+        return cell[axis] < 0 || cell[axis] >= size[axis];
+    };
+    for (const std::int64_t t : members) {
+        const Vec3<int> first = grid_.tile_origin(t);
+        const bool ghost_row = !grid_.is_interior_row(first.y, first.z);
         for (int k = 0; k < tile; ++k) {
-            const int x = o.x + k;
-            if (x < -1 || x > size.x || !(ghost_row || x == -1 || x == size.x))
+            const Vec3<int> cell{first.x + k, first.y, first.z};
+            if (cell.x < -1 || cell.x > size.x || !(ghost_row || cell.x == -1 || cell.x == size.x))
                 continue;
-            const Vec3<int> image{wrapped(x, size.x), wrapped(o.y, size.y), wrapped(o.z, size.z)};
-            const std::int64_t source = grid_.index(image);
-            const std::size_t source_tile = static_cast<std::size_t>(source / tile);
-            if ((level_bits_[outermost][source_tile] >> (source % tile) & 1) == 0)
-                continue;
-            ghost_copies_.push_back({static_cast<std::int32_t>(slot_of_tile_[source_tile] + source % tile),
-                                     static_cast<std::int32_t>(slot_of_tile(t) + k)});
+            bool foreign = false;
+            for (int a = 0; a < 3; ++a)
+                foreign = foreign || (block_.divided[a] && is_outside(cell, a));
+            if (!foreign && growth_.has(outermost, cell))
+                ghost_copies_.push_back(
+                    {address_of(home_of(cell)), slot_of_tile(t) + static_cast<std::int32_t>(k)});
         }
     }
+}
+
+void Band::list_part_cells() {
+    const auto for_each_cell = [&](const CellBox& box, const auto& body) {
+        for (int z = box.begin.z; z < box.begin.z + box.size.z; ++z)
+            for (int y = box.begin.y; y < box.begin.y + box.size.y; ++y)
+                for (int x = box.begin.x; x < box.begin.x + box.size.x; ++x)
+                    if (growth_.has(outermost, {x, y, z}))
+                        body(Vec3<int>{x, y, z});
+    };
+    for (const HaloPart& part : parts_) {
+        PartCells cells;
+        for_each_cell(part.rim,
+                      [&](const Vec3<int>& cell) { cells.rim.push_back(address_of(home_of(cell))); });
+        for_each_cell(part.ghosts, [&](const Vec3<int>& cell) { cells.ghosts.push_back(address_of(cell)); });
+        part_cells_.push_back(std::move(cells));
+    }
+}
+
+void Band::part_rim_from_inner() {
+    std::vector<bool> waited_for(static_cast<std::size_t>(compact_size_ / tile), false); // by address
+    for (const PartCells& cells : part_cells_)
+        for (const std::int32_t address : cells.rim)
+            waited_for[static_cast<std::size_t>(address / tile)] = true;
+    for (int level = 0; level <= outermost; ++level)
+        for (const std::int32_t index : of_level_[level]) {
+            const std::int32_t slot = tiles_[static_cast<std::size_t>(index)].slot();
+            const bool rim = waited_for[static_cast<std::size_t>(slot / tile)];
+            (rim ? rim_of_level_ : inner_of_level_)[level].push_back(index);
+        }
 }
 
 std::size_t Band::bytes() const {
     std::size_t sum = slot_of_tile_.capacity() * sizeof(std::int32_t) + tiles_.capacity() * sizeof(BandTile) +
                       ghost_copies_.capacity() * sizeof(GhostCopy) +
-                      occupied_.capacity() * sizeof(std::int64_t);
+                      occupied_.capacity() * sizeof(std::int64_t) + growth_.bytes();
     for (int level = 0; level <= outermost; ++level)
-        sum += of_level_[level].capacity() * sizeof(std::int32_t) + level_bits_[level].capacity() +
-               marked_[level].capacity() * sizeof(std::int64_t);
+        sum += (of_level_[level].capacity() + rim_of_level_[level].capacity() +
+                inner_of_level_[level].capacity()) *
+               sizeof(std::int32_t);
+    for (const PartCells& cells : part_cells_)
+        sum += (cells.rim.capacity() + cells.ghosts.capacity()) * sizeof(std::int32_t);
     return sum;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lattice/band_growth.hpp"
+#include "lattice/block.hpp"
 #include "lattice/grid.hpp"
 
 #include <cstdint>
@@ -9,7 +11,7 @@ namespace vesica {
 
 /// One tile of a band: eight cells of which some belong to it.
 struct BandTile {
-    static constexpr int levels = 10;
+    static constexpr int levels = BandGrowth::levels;
 
     std::int64_t cell = 0;     ///< index of its first cell in the grid
     std::int64_t tile = 0;     ///< index of the tile in the grid
@@ -25,27 +27,32 @@ struct BandTile {
 /// links, and the compact storage of everything that is worked out there only: value `a + k` of a compact
 /// array belongs to cell k of the tile whose compact address is `a`. Tiles that follow each other along x do
 /// so in compact arrays as well, and one unused tile parts the runs, so that loads shifted by one cell stay
-/// with their neighbours. Ghost cells at the box's periodic faces have addresses of their own and are filled
-/// by copying.
+/// with their neighbours. Ghost cells at the block's faces have addresses of their own: those that stand for
+/// cells of the same block are filled by copying, those of another process by what it sends.
 class Band {
 public:
     static constexpr int outermost = BandTile::levels - 1;
+    using Seed = BandSeed;
 
-    /// Core cells of a tile of the grid.
-    struct Seed {
-        std::int64_t tile = 0;
-        std::uint8_t bits = 0;
-    };
     struct GhostCopy {
         std::int32_t from = 0;
         std::int32_t to = 0;
     };
+    /// Compact addresses of the band's cells along one of the block's halo_parts: what goes to the neighbour
+    /// there, and where what it sends belongs. The neighbour's lists of the opposite part have as many, in
+    /// the same order.
+    struct PartCells {
+        std::vector<std::int32_t> rim;
+        std::vector<std::int32_t> ghosts;
+    };
 
     Band() = default;
-    explicit Band(const Grid& grid);
+    explicit Band(const Grid& grid) : Band(Block::whole(grid.size())) {}
+    explicit Band(const Block& block);
 
-    /// Grows the band anew from its core. Seeds hold cells of the box, each tile at most once.
-    void rebuild(const std::vector<Seed>& core);
+    /// Grows the band anew from its core. Seeds hold cells of the block, each tile at most once; with them
+    /// the core of others, as far as it lies within BandGrowth::core_reach of the block.
+    void rebuild(const std::vector<Seed>& core, const std::vector<ForeignSeed>& foreign = {});
 
     const Grid& grid() const { return grid_; }
 
@@ -54,6 +61,12 @@ public:
     /// Indices into tiles() of those that have cells in a level.
     const std::vector<std::int32_t>& of_level(int level) const { return of_level_[level]; }
     const std::vector<GhostCopy>& ghost_copies() const { return ghost_copies_; }
+    /// One per halo part.
+    const std::vector<PartCells>& part_cells() const { return part_cells_; }
+    /// Like of_level: the tiles that hold cells of which other processes have ghosts, and the rest. Empty in
+    /// a block that is the whole box.
+    const std::vector<std::int32_t>& rim_of_level(int level) const { return rim_of_level_[level]; }
+    const std::vector<std::int32_t>& inner_of_level(int level) const { return inner_of_level_[level]; }
 
     /// Length of a compact array.
     std::int64_t compact_size() const { return compact_size_; }
@@ -67,26 +80,47 @@ public:
     std::size_t bytes() const;
 
 private:
-    using Bits = std::vector<std::uint8_t>;
-
     void clear();
-    void grow(int level);
-    void spread(std::int64_t row_tile, int tile_in_row, std::uint8_t bits, bool sideways, int level);
-    void mark(int level, std::int64_t tile, std::uint8_t bits);
     void lay_out();
-    void place_ghosts(std::vector<std::int64_t>& members) const;
-    void list_ghost_copies();
+    std::vector<std::int64_t> tiles_to_address() const;
+    void list_tiles(const std::vector<std::int64_t>& members);
     void link(BandTile& tile) const;
     static bool follows(const BandTile& first, const BandTile& second);
+    void list_ghost_copies(const std::vector<std::int64_t>& members);
+    void list_part_cells();
+    void part_rim_from_inner();
 
+    /// Cells of a tile of the grid that belong to the level and to the block.
+    std::uint8_t own_bits(int level, std::int64_t tile) const {
+        const Vec3<int> first = grid_.tile_origin(tile);
+        const std::uint8_t inside = grid_.interior_bits(first);
+        return inside == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(inside & growth_.bits(level, first));
+    }
+
+    /// The place of a cell of the block, or of a ghost that stands for one.
+    Vec3<int> home_of(Vec3<int> cell) const {
+        for (int a = 0; a < 3; ++a)
+            if (!block_.divided[a])
+                cell[a] += cell[a] < 0 ? grid_.size()[a] : cell[a] >= grid_.size()[a] ? -grid_.size()[a] : 0;
+        return cell;
+    }
+    std::int32_t address_of(const Vec3<int>& cell) const {
+        const std::int64_t index = grid_.index(cell);
+        return slot_of_tile(index / Grid::tile) + static_cast<std::int32_t>(index % Grid::tile);
+    }
+
+    Block block_;
     Grid grid_;
+    BandGrowth growth_;
+    std::vector<HaloPart> parts_;
     std::vector<BandTile> tiles_;
     std::vector<std::int32_t> of_level_[BandTile::levels];
+    std::vector<std::int32_t> rim_of_level_[BandTile::levels];
+    std::vector<std::int32_t> inner_of_level_[BandTile::levels];
     std::vector<GhostCopy> ghost_copies_;
+    std::vector<PartCells> part_cells_;
     std::vector<std::int32_t> slot_of_tile_;
     std::vector<std::int64_t> occupied_; ///< tiles that have an address
-    std::vector<std::int64_t> marked_[BandTile::levels];
-    Bits level_bits_[BandTile::levels];
     std::int64_t compact_size_ = 0;
     std::int64_t cell_count_ = 0;
 };

@@ -29,13 +29,19 @@ public:
             lanes_[k] += other.lanes_[k];
     }
 
-    double value() const {
+    /// The integer all terms add up to, for messages between ranks: totals add up like terms do.
+    std::uint64_t total() const {
         std::uint64_t total = 0;
         for (const std::uint64_t lane : lanes_)
             total += lane;
+        return total;
+    }
+    static double value_of(std::uint64_t total) {
         return static_cast<double>(static_cast<std::int64_t>(total)) /
                static_cast<double>(std::int64_t{1} << fraction_bits);
     }
+
+    double value() const { return value_of(total()); }
 
 private:
     std::uint64_t lanes_[tile_width] = {}; ///< two's complement: out of range it wraps, and is defined

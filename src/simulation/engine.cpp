@@ -37,7 +37,14 @@ const std::vector<std::string>& field_names() {
 
 std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
                                     std::string_view instruction_set) {
-    EngineSetup setup = make_engine_setup(parameters, threads);
+    return make_engine(parameters, threads, std::make_shared<const Neighbourhood>(parameters.size),
+                       instruction_set);
+}
+
+std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
+                                    std::shared_ptr<const Neighbourhood> neighbourhood,
+                                    std::string_view instruction_set) {
+    EngineSetup setup = make_engine_setup(parameters, threads, std::move(neighbourhood));
     for (const InstructionSet& set : instruction_sets) {
         if (!instruction_set.empty() && set.name != instruction_set)
             continue;

@@ -11,7 +11,8 @@ EngineState LatticeEngine<Real>::save() const {
     EngineState state;
     state.step = step_;
     state.precision = setup_.precision;
-    state.size = grid_.size();
+    state.size = block_.box;
+    state.part = block_.own;
     const auto cells = static_cast<std::size_t>(grid_.volume());
     state.populations.assign(direction_count, std::vector<double>(cells));
     state.minority.assign(cells, 0.0);
@@ -22,7 +23,7 @@ EngineState LatticeEngine<Real>::save() const {
     for (const Band::Seed& seed : layer_.core())
         core[static_cast<std::size_t>(seed.tile)] = seed.bits;
 
-    for_each_cell_of_box([&](std::size_t at, std::int64_t cell) {
+    for_each_cell_of_block([&](std::size_t at, std::int64_t cell) {
         for (int i = 0; i < direction_count; ++i)
             state.populations[static_cast<std::size_t>(i)][at] =
                 static_cast<double>(*f_.find(streaming_, i, cell));
@@ -50,8 +51,9 @@ EngineState LatticeEngine<Real>::save() const {
 template <class Real>
 void LatticeEngine<Real>::load(const EngineState& state) {
     const auto cells = static_cast<std::size_t>(grid_.volume());
-    if (!(state.size == grid_.size()) || state.populations.size() != direction_count ||
-        state.minority.size() != cells || state.band.size() != cells || state.controllers.size() != 4)
+    if (!(state.size == block_.box) || !(state.part == block_.own) ||
+        state.populations.size() != direction_count || state.minority.size() != cells ||
+        state.band.size() != cells || state.controllers.size() != 4)
         throw RunError("the saved state belongs to another box");
     if (state.precision != setup_.precision)
         throw RunError("the saved state was computed in another precision");
@@ -62,7 +64,7 @@ void LatticeEngine<Real>::load(const EngineState& state) {
     std::vector<std::uint8_t> core(layer_.inside().size(), 0);
     std::vector<std::uint8_t> inside(layer_.inside().size(), 0);
     std::vector<std::size_t> canonical(static_cast<std::size_t>(grid_.cells()), 0);
-    for_each_cell_of_box([&](std::size_t at, std::int64_t cell) {
+    for_each_cell_of_block([&](std::size_t at, std::int64_t cell) {
         for (int i = 0; i < direction_count; ++i)
             f_.slot(i)[cell] = static_cast<Real>(state.populations[static_cast<std::size_t>(i)][at]);
         const auto tile = static_cast<std::size_t>(cell / tile_width);

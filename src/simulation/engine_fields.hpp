@@ -4,11 +4,12 @@
 #include "simulation/lattice_engine.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <span>
 
 namespace vesica {
 
-/// One pass over the box, row by row in any order: ties go to the first cell.
+/// One pass over the block, row by row in any order, and over the ranks.
 template <class Real>
 typename LatticeEngine<Real>::Extremes LatticeEngine<Real>::extremes() const {
     const Vec3<int> size = grid_.size();
@@ -17,26 +18,61 @@ typename LatticeEngine<Real>::Extremes LatticeEngine<Real>::extremes() const {
     for_each_index(rows, setup_.threads, [&](std::int64_t r) {
         const int y = static_cast<int>(r % size.y);
         const int z = static_cast<int>(r / size.y);
-        Extremes here;
+        Extremes here = nothing_yet();
         for (int x = 0; x < size.x; ++x) {
             const std::int64_t cell = grid_.index(x, y, z);
-            const Vec3<int> place{x, y, z};
+            const Vec3<int> place = block_.own.begin + Vec3<int>{x, y, z};
+            const bool in_layer = layer_.band().slot_of_tile(cell / tile_width) >= 0;
             const Moments<double> m = moments_at(cell);
             const Vec3<double> F = force_at(cell);
-            here.speed.take({norm(velocity_of(m, setup_.reference_density, F)), place});
-            here.density.take({std::abs(m.density_deviation), place});
-            here.force.take({norm(F), place});
+            here.speed.take({norm(velocity_of(m, setup_.reference_density, F)), place, in_layer});
+            here.density.take({std::abs(m.density_deviation), place, in_layer});
+            here.force.take({norm(F), place, in_layer});
         }
         of_row[static_cast<std::size_t>(r)] = here;
     });
-    Extremes all;
+    Extremes here = of_row.front();
     for (const Extremes& row : of_row)
-        all.take(row);
+        here.take(row);
+    Extremes all = here;
+    for (const Extremes& rank : ranks().gather_all(here))
+        all.take(rank);
     return all;
+}
+
+/// The blocks' parts of a field put together, for the rank that leads.
+template <class Real>
+DenseField LatticeEngine<Real>::gathered(const DenseField& part) const {
+    if (ranks().count() == 1)
+        return part;
+    const std::vector<CellBox> blocks = ranks().gather_all(block_.own);
+    const auto parts = ranks().gather(std::as_bytes(std::span(part.values)));
+    if (!ranks().leads())
+        return {};
+    DenseField whole{block_.box, part.components, {}};
+    whole.values.resize(static_cast<std::size_t>(CellBox{{}, block_.box}.volume() * part.components));
+    for (std::size_t rank = 0; rank < parts.size(); ++rank) {
+        const CellBox& block = blocks[rank];
+        const std::size_t row = static_cast<std::size_t>(block.size.x * part.components) * sizeof(double);
+        const std::byte* from = parts[rank].data();
+        for (int z = 0; z < block.size.z; ++z)
+            for (int y = 0; y < block.size.y; ++y, from += row) {
+                const std::int64_t cell =
+                    (std::int64_t{block.begin.z + z} * block_.box.y + block.begin.y + y) * block_.box.x +
+                    block.begin.x;
+                std::memcpy(whole.values.data() + cell * part.components, from, row);
+            }
+    }
+    return whole;
 }
 
 template <class Real>
 DenseField LatticeEngine<Real>::field(std::string_view name) const {
+    return gathered(own_field(name));
+}
+
+template <class Real>
+DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
     const Vec3<int> size = grid_.size();
     const bool vector = name == "velocity" || name == "force" || name == "normal";
     DenseField field{size, vector ? 3 : 1, {}};
@@ -137,9 +173,7 @@ std::optional<Trouble> LatticeEngine<Real>::trouble() const {
     const double force_allowed = 0.1 * setup_.reference_density;
     const Extremes worst = extremes();
     const auto at = [&](const Extreme& place, const std::string& cause) {
-        const std::int64_t tile = grid_.index(place.cell) / tile_width;
-        const bool in_layer = !layer_.empty() && layer_.band().slot_of_tile(tile) >= 0;
-        return Trouble{step_, place.cell, in_layer ? 0 : -1, cause};
+        return Trouble{step_, place.cell, place.in_layer ? 0 : -1, cause};
     };
     if (!layer_.empty() && !std::isfinite(membrane_.tension()))
         return Trouble{step_, worst.speed.cell, 0, "tension is not a number"};

@@ -65,10 +65,30 @@ AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosit
 
 } // namespace
 
-EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
+std::shared_ptr<const InitialColours> initial_colours(const Parameters& parameters, const Block& block,
+                                                      int threads) {
+    if (parameters.vesicles.empty())
+        return nullptr;
+    // Vesicles of one kind share a colour and, but for the area, know nothing of each other's membranes.
+    const std::size_t first = parameters.vesicles.front().type;
+    std::vector<InitialColours::Placed> shapes;
+    for (const VesicleParameters& vesicle : parameters.vesicles) {
+        if (vesicle.type != first)
+            throw InputError("the vesicles are of several types; expected one type for all");
+        shapes.push_back({make_shape(vesicle), vesicle.centre});
+    }
+    if (shapes.size() > 1 &&
+        !std::holds_alternative<NoConstraint>(parameters.types.at(first).area.constraint))
+        throw InputError("several vesicles share one area constraint; expected constraint = \"none\"");
+    return std::make_shared<const InitialColours>(block, std::move(shapes), parameters.fluid.segregation,
+                                                  parameters.numerics.cutoff, threads);
+}
+
+EngineSetup make_engine_setup(const Parameters& parameters, int threads,
+                              std::shared_ptr<const Neighbourhood> neighbourhood) {
     EngineSetup setup;
     const FluidParameters& fluid = parameters.fluid;
-    setup.size = parameters.size;
+    setup.neighbourhood = std::move(neighbourhood);
     setup.reference_density = fluid.density;
     setup.rates.outer = setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity);
     setup.ghosts = fluid.ghosts;
@@ -80,17 +100,8 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     if (parameters.vesicles.empty())
         return setup;
 
-    // Vesicles of one kind share a colour and, but for the area, know nothing of each other's membranes.
     const VesicleType& type = parameters.types.at(parameters.vesicles.front().type);
-    std::vector<InitialColours::Placed> shapes;
-    for (const VesicleParameters& vesicle : parameters.vesicles) {
-        if (vesicle.type != parameters.vesicles.front().type)
-            throw InputError("the vesicles are of several types; expected one type for all");
-        shapes.push_back({make_shape(vesicle), vesicle.centre});
-    }
-    if (shapes.size() > 1 && !std::holds_alternative<NoConstraint>(type.area.constraint))
-        throw InputError("several vesicles share one area constraint; expected constraint = \"none\"");
-    const std::shared_ptr<const Shape> shape = shapes.front().shape;
+    const std::shared_ptr<const Shape> shape = make_shape(parameters.vesicles.front());
     setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity * type.viscosity_ratio);
     setup.bending_modulus = type.bending.modulus;
     if (const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form))
@@ -104,8 +115,7 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads) {
     setup.membrane.target.ramp = type.area.ramp;
     setup.membrane.area = area_law(type, radius, fluid.density * fluid.kinematic_viscosity,
                                    fluid.kinematic_viscosity, setup.membrane.target.final / sphere - 1.0);
-    setup.colours = std::make_shared<const InitialColours>(
-        Grid(parameters.size), std::move(shapes), fluid.segregation, parameters.numerics.cutoff, threads);
+    setup.colours = initial_colours(parameters, setup.neighbourhood->block(), threads);
     return setup;
 }
 

@@ -2,6 +2,7 @@
 
 #include "case/parameters.hpp"
 #include "measure/layer_moment.hpp"
+#include "parallel/neighbourhood.hpp"
 #include "simulation/initial_state.hpp"
 #include "simulation/membrane_model.hpp"
 
@@ -25,7 +26,7 @@ struct LayerSettings {
 
 /// A case's parameters as the engine uses them, the same for every precision and instruction set.
 struct EngineSetup {
-    Vec3<int> size{};
+    std::shared_ptr<const Neighbourhood> neighbourhood; ///< the block and what lies around it
     double reference_density = 1.0;
     StressRates rates;
     GhostRates ghosts;
@@ -40,6 +41,11 @@ struct EngineSetup {
     std::string_view instruction_set;
 };
 
-EngineSetup make_engine_setup(const Parameters& parameters, int threads);
+/// The initial colours of a block; null without vesicles. Throws InputError.
+std::shared_ptr<const InitialColours> initial_colours(const Parameters& parameters, const Block& block,
+                                                      int threads);
+
+EngineSetup make_engine_setup(const Parameters& parameters, int threads,
+                              std::shared_ptr<const Neighbourhood> neighbourhood);
 
 } // namespace vesica

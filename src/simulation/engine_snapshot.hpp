@@ -1,9 +1,11 @@
 #pragma once
 
-#include "core/exact_sum.hpp"
 #include "simulation/lattice_engine.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <tuple>
 
 namespace vesica {
 
@@ -23,35 +25,63 @@ struct LaneVectors {
     Vec3<double> operator[](int k) const { return {x[k], y[k], z[k]}; }
 };
 
+/// What the ranks have of a list, put together for the one that leads, in the order of `less`.
+template <class T, class Less>
+std::vector<T> gathered_list(const Ranks& ranks, std::vector<T> own, const Less& less) {
+    if (ranks.count() == 1)
+        return own;
+    std::vector<T> all;
+    for (const std::vector<std::byte>& bytes : ranks.gather(std::as_bytes(std::span(own)))) {
+        std::vector<T> part(bytes.size() / sizeof(T));
+        std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(std::span(part)).begin());
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    std::sort(all.begin(), all.end(), less);
+    return all;
+}
+
 } // namespace detail
 
-/// A point near the vesicle's middle: the circular mean of the layer's cells, so that periodic images do not
-/// matter.
+/// A point near the vesicle's middle: the circular mean of the core's cells, so that periodic images do not
+/// matter. They are counted plane by plane: the same bits however the box is shared out.
 template <class Real>
 Vec3<double> LatticeEngine<Real>::middle() const {
-    const double turn[3] = {2 * pi / grid_.size().x, 2 * pi / grid_.size().y, 2 * pi / grid_.size().z};
-    double sine[3] = {};
-    double cosine[3] = {};
-    for (const BandTile& t : layer_.band().tiles()) {
-        if (t.bits[0] == 0)
-            continue;
-        const Vec3<int> origin = grid_.tile_origin(t.tile);
-        const Vec3<double> x{origin.x + 0.5 * tile_width, origin.y + 0.5, origin.z + 0.5};
-        for (int a = 0; a < 3; ++a) {
-            sine[a] += std::sin(turn[a] * x[a]);
-            cosine[a] += std::cos(turn[a] * x[a]);
-        }
-    }
+    const Vec3<int> box = block_.box;
+    std::vector<std::uint64_t> counts(static_cast<std::size_t>(box.x + box.y + box.z), 0);
+    const auto count = [&](int axis, int place) {
+        const int first = axis == 0 ? 0 : axis == 1 ? box.x : box.x + box.y;
+        ++counts[static_cast<std::size_t>(first + place)];
+    };
+    for (const BandTile& t : layer_.band().tiles())
+        for (int k = 0; k < tile_width; ++k)
+            if ((t.bits[0] >> k & 1) != 0) {
+                const Vec3<int> place = grid_.tile_origin(t.tile) + block_.own.begin;
+                count(0, place.x + k);
+                count(1, place.y);
+                count(2, place.z);
+            }
+    ranks().sum(counts);
     Vec3<double> middle;
+    auto planes = counts.begin();
     for (int a = 0; a < 3; ++a) {
-        const double angle = std::atan2(sine[a], cosine[a]);
-        middle[a] = (angle < 0.0 ? angle + 2 * pi : angle) / turn[a];
+        const double turn = 2 * pi / box[a];
+        double sine = 0.0;
+        double cosine = 0.0;
+        for (int place = 0; place < box[a]; ++place) {
+            const auto cells = static_cast<double>(*planes++);
+            sine += cells * std::sin(turn * (place + 0.5));
+            cosine += cells * std::cos(turn * (place + 0.5));
+        }
+        const double angle = std::atan2(sine, cosine);
+        middle[a] = (angle < 0.0 ? angle + 2 * pi : angle) / turn;
     }
     return middle;
 }
 
+/// In the order of the tiles; positions as they lie in the box.
 template <class Real>
-void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot& vesicle) const {
+std::vector<InterfaceCell> LatticeEngine<Real>::layer_cells() const {
+    std::vector<InterfaceCell> cells;
     const LayerFields<Real>& fields = layer_.fields();
     for (const BandTile& t : layer_.band().tiles()) {
         const auto lanes = [&](const std::span<Real>& a) {
@@ -67,14 +97,12 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
         const auto J = lanes(fields.J);
         const detail::LaneValues<Real> laplacian(
             t.bits[reach::force] != 0 ? layer_.laplace_beltrami_of_H(TileRun<Real>{&t}) : V(0));
-        const Vec3<int> origin = grid_.tile_origin(t.tile);
+        const Vec3<int> origin = grid_.tile_origin(t.tile) + block_.own.begin;
         for (int k = 0; k < tile_width; ++k) {
             if ((t.bits[Band::outermost] >> k & 1) == 0)
                 continue;
             InterfaceCell cell;
-            const int x = origin.x + k;
-            cell.position = {x + 0.5 + unwrap.shift(0, x), origin.y + 0.5 + unwrap.shift(1, origin.y),
-                             origin.z + 0.5 + unwrap.shift(2, origin.z)};
+            cell.position = {origin.x + k + 0.5, origin.y + 0.5, origin.z + 0.5};
             cell.phi = phase_of(chi[k]);
             cell.s = s[k];
             cell.n = n[k];
@@ -98,64 +126,75 @@ void LatticeEngine<Real>::add_layer_cells(const Unwrap& unwrap, VesicleSnapshot&
                     cell.tension_force = TensionLaw{membrane_.tension()}.force(force_H0[k]);
                 }
             }
-            vesicle.cells.push_back(cell);
+            cells.push_back(cell);
         }
     }
+    return cells;
 }
 
-/// Runs of cells that are purely inside, outside the band's own cells; a run ends where its periodic image
-/// changes.
+/// Runs of cells that are purely inside, outside the band's own cells, as they lie in the box.
 template <class Real>
-void LatticeEngine<Real>::add_inside(const Unwrap& unwrap, VesicleSnapshot& vesicle) const {
+std::vector<InsideSpan> LatticeEngine<Real>::inside_spans() const {
+    std::vector<InsideSpan> spans;
     const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
     const Vec3<int> size = grid_.size();
+    const Vec3<int> begin = block_.own.begin;
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y) {
-            const int shift_y = unwrap.shift(1, y);
-            const int shift_z = unwrap.shift(2, z);
             bool open = false;
             for (int x = 0; x < size.x; ++x) {
                 const std::int64_t cell = grid_.index(x, y, z);
                 const auto tile = static_cast<std::size_t>(cell / tile_width);
-                const int k = static_cast<int>(cell % tile_width);
-                const bool red = ((layer_.inside()[tile] & ~in_band[tile]) >> k & 1) != 0;
-                const int begin = x + unwrap.shift(0, x);
-                if (red && open && vesicle.inside.back().begin + vesicle.inside.back().count == begin)
-                    ++vesicle.inside.back().count;
+                const bool red = ((layer_.inside()[tile] & ~in_band[tile]) >> (cell % tile_width) & 1) != 0;
+                if (red && open)
+                    ++spans.back().count;
                 else if (red)
-                    vesicle.inside.push_back({begin, 1, y + shift_y, z + shift_z});
+                    spans.push_back({begin.x + x, 1, begin.y + y, begin.z + z});
                 open = red;
             }
         }
+    return spans;
 }
 
-/// Mass and momentum of the vesicle's colour, exact sums over every cell that has some of it.
+/// Mass and momentum of the vesicle's colour, exact sums over every cell of the block that has some of it.
 template <class Real>
-void LatticeEngine<Real>::add_colour_sums(VesicleSnapshot& vesicle) const {
-    ExactSum mass;
-    ExactSum momentum[3];
-    const auto add = [&](double rho, const Vec3<double>& u) {
-        mass.add(rho);
-        for (int a = 0; a < 3; ++a)
-            momentum[a].add(rho * u[a]);
-    };
-    for (const InterfaceCell& cell : vesicle.cells)
-        add(0.5 * (1.0 + cell.phi) * cell.density, cell.u);
-    const Vec3<int> size = grid_.size();
-    const auto home = [](int x, int n) {
-        return ((x % n) + n) % n;
-    };
-    for (const InsideSpan& span : vesicle.inside)
+ColourSums LatticeEngine<Real>::colour_sums(const std::vector<InterfaceCell>& cells,
+                                            const std::vector<InsideSpan>& inside) const {
+    ColourSums sums;
+    for (const InterfaceCell& cell : cells)
+        sums.add(0.5 * (1.0 + cell.phi) * cell.density, cell.u);
+    for (const InsideSpan& span : inside)
         for (int k = 0; k < span.count; ++k) {
-            const std::int64_t cell =
-                grid_.index(home(span.begin + k, size.x), home(span.y, size.y), home(span.z, size.z));
+            const Vec3<int> place = Vec3<int>{span.begin + k, span.y, span.z} - block_.own.begin;
+            const std::int64_t cell = grid_.index(place);
             const Moments<double> m = moments_at(cell);
-            add(setup_.reference_density + m.density_deviation,
-                velocity_of(m, setup_.reference_density, force_at(cell)));
+            sums.add(setup_.reference_density + m.density_deviation,
+                     velocity_of(m, setup_.reference_density, force_at(cell)));
         }
-    vesicle.colour_mass = mass.value();
-    vesicle.momentum = {momentum[0].value(), momentum[1].value(), momentum[2].value()};
+    return sums;
 }
+
+namespace detail {
+
+/// In one piece: runs end where their periodic image changes, not where a block does.
+inline std::vector<InsideSpan> unwrapped(const std::vector<InsideSpan>& home, const Unwrap& unwrap) {
+    std::vector<InsideSpan> spans;
+    Vec3<int> previous{-2, -2, -2};
+    for (const InsideSpan& run : home)
+        for (int k = 0; k < run.count; ++k) {
+            const Vec3<int> cell{run.begin + k, run.y, run.z};
+            const int begin = cell.x + unwrap.shift(0, cell.x);
+            if (cell == previous + Vec3<int>{1, 0, 0} && spans.back().begin + spans.back().count == begin)
+                ++spans.back().count;
+            else
+                spans.push_back(
+                    {begin, 1, cell.y + unwrap.shift(1, cell.y), cell.z + unwrap.shift(2, cell.z)});
+            previous = cell;
+        }
+    return spans;
+}
+
+} // namespace detail
 
 template <class Real>
 Snapshot LatticeEngine<Real>::snapshot() const {
@@ -173,10 +212,28 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     vesicle.spontaneous_curvature = setup_.spontaneous_curvature;
     vesicle.tension = membrane_.tension();
     vesicle.target_area = membrane_.target.at(step_);
-    const Unwrap unwrap(grid_.size(), middle());
-    add_layer_cells(unwrap, vesicle);
-    add_inside(unwrap, vesicle);
-    add_colour_sums(vesicle);
+    const Unwrap unwrap(block_.box, middle());
+
+    std::vector<InterfaceCell> cells = layer_cells();
+    std::vector<InsideSpan> inside = inside_spans();
+    const ColourSums sums = colour_sums(cells, inside).over(ranks());
+    const auto in_order = [](const auto& a, const auto& b) {
+        return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+    };
+    vesicle.cells = detail::gathered_list(ranks(), std::move(cells), [&](const auto& a, const auto& b) {
+        return in_order(a.position, b.position);
+    });
+    inside = detail::gathered_list(ranks(), std::move(inside), [](const auto& a, const auto& b) {
+        return std::tie(a.z, a.y, a.begin) < std::tie(b.z, b.y, b.begin);
+    });
+    if (!ranks().leads())
+        return snapshot;
+    for (InterfaceCell& cell : vesicle.cells)
+        for (int a = 0; a < 3; ++a)
+            cell.position[a] += unwrap.shift(a, static_cast<int>(cell.position[a]));
+    vesicle.inside = detail::unwrapped(inside, unwrap);
+    vesicle.colour_mass = sums.mass.value();
+    vesicle.momentum = {sums.momentum[0].value(), sums.momentum[1].value(), sums.momentum[2].value()};
     snapshot.vesicles.push_back(std::move(vesicle));
     return snapshot;
 }

@@ -6,6 +6,7 @@
 #include "parallel/for_each.hpp"
 #include "parallel/pack.hpp"
 #include "simulation/engine_setup.hpp"
+#include "simulation/rank_boundary.hpp"
 #include "simulation/row_schedule.hpp"
 
 #include <algorithm>
@@ -35,8 +36,10 @@ template <class V>
     return V(1) / (V(0.5) + V(1) / inverse_excess);
 }
 
-/// Collides every cell and streams it, in place, in one pass over the box. Whoever needs the populations of
+/// Collides every cell and streams it, in place, in one pass over the block. Whoever needs the populations of
 /// the new state is told, row by row, as soon as they have settled: settled(thread, first row, last row).
+/// Where other processes hold the neighbouring blocks, the cells along the boundary go first, and what
+/// crosses it travels while the rest is worked on.
 template <class Real, class Collision>
 class FluidStep {
 public:
@@ -50,59 +53,125 @@ public:
           rates_(rates),
           rho0_(reference_density) {}
 
+    /// `others` is null where the block is the whole box.
     template <class Settled>
-    void operator()(Streaming streaming, const LayerInfluence<Real>& layer, int threads,
-                    const Settled& settled) const {
+    void operator()(Streaming streaming, const LayerInfluence<Real>& layer, RankBoundary<Real>* others,
+                    int threads, const Settled& settled) const {
         if (streaming == Streaming::arrived)
-            step<Streaming::arrived>(layer, threads, settled);
+            step<Streaming::arrived>(layer, others, threads, settled);
         else
-            step<Streaming::turned>(layer, threads, settled);
+            step<Streaming::turned>(layer, others, threads, settled);
     }
 
 private:
+    static constexpr int rows_between_progress = 64;
+
     template <Streaming streaming, class Settled>
-    void step(const LayerInfluence<Real>& layer, int threads, const Settled& settled) const {
+    void step(const LayerInfluence<Real>& layer, RankBoundary<Real>* others, int threads,
+              const Settled& settled) const {
         const Vec3<int> size = grid_.size();
-        const RowSchedule schedule(size, layer.force_slot != nullptr ? rows_in_cache() : size.y);
+        const Vec3<bool> divided = others != nullptr ? others->divided() : Vec3<bool>{};
+        const RowSchedule schedule(size, layer.force_slot != nullptr ? rows_in_cache() : size.y, divided.x);
+        if (others != nullptr) {
+            step_rim<streaming>(layer, divided, threads);
+            others->template start<streaming>(threads);
+        }
+        const auto is_done = [&](std::int64_t row) {
+            return others != nullptr && is_rim(row, divided);
+        };
+        // The inner cells of rows whose ends belong to the rim.
+        const int begin_x = divided.x ? tile_width : 0;
+        const int end_x = divided.x ? last_tile() : size.x;
         for_each_block(schedule.rows(), threads, [&](int thread, std::int64_t begin, std::int64_t end) {
+            int since_progress = 0;
             schedule.in_turn(
                 begin, end,
                 [&](std::int64_t row, std::int64_t next) {
-                    step_row<streaming>(first_cell(row), first_cell(next), layer);
+                    if (others != nullptr && thread == 0 && ++since_progress % rows_between_progress == 0)
+                        others->progress();
+                    if (is_done(row))
+                        return;
+                    step_row<streaming>(first_cell(row), first_cell(next), begin_x, end_x, layer);
                     if constexpr (streaming == Streaming::arrived)
-                        boundary_.publish_row(y_of(row), z_of(row));
+                        if (!divided.x)
+                            boundary_.publish_row(y_of(row), z_of(row));
                 },
                 [&](std::int64_t first, std::int64_t last) {
                     if constexpr (streaming == Streaming::turned)
-                        collect_rows(first, last);
+                        collect_rows(first, last, divided);
                     settled(thread, first, last);
                 });
         });
-        if constexpr (streaming == Streaming::arrived) {
-            for_each_index(size.z, threads,
-                           [&](std::int64_t z) { boundary_.publish_y(static_cast<int>(z)); });
-            for_each_index(size.y + 2, threads,
-                           [&](std::int64_t y) { boundary_.publish_z(static_cast<int>(y) - 1); });
-        } else {
-            for_each_index(size.y + 2, threads,
-                           [&](std::int64_t y) { boundary_.collect_z(static_cast<int>(y) - 1); });
-            for_each_index(size.z, threads,
-                           [&](std::int64_t z) { boundary_.collect_y(static_cast<int>(z)); });
-        }
+        close_boundary<streaming>(divided, others, threads);
         for_each_block(schedule.rows(), threads, [&](int thread, std::int64_t begin, std::int64_t end) {
             schedule.left_over(begin, end, [&](std::int64_t first, std::int64_t last) {
                 if constexpr (streaming == Streaming::turned)
-                    collect_rows(first, last);
+                    collect_rows(first, last, divided);
                 settled(thread, first, last);
             });
         });
     }
 
+    /// The block's own periodic faces, and what the neighbours have sent. What is collected from neighbours
+    /// may belong on the far side of the block's own faces.
+    template <Streaming streaming>
+    void close_boundary(const Vec3<bool>& divided, RankBoundary<Real>* others, int threads) const {
+        const Vec3<int> size = grid_.size();
+        if constexpr (streaming == Streaming::arrived) {
+            if (!divided.y)
+                for_each_index(size.z, threads,
+                               [&](std::int64_t z) { boundary_.publish_y(static_cast<int>(z)); });
+            if (!divided.z)
+                for_each_index(size.y + 2, threads,
+                               [&](std::int64_t y) { boundary_.publish_z(static_cast<int>(y) - 1); });
+            if (others != nullptr)
+                others->template finish<streaming>(threads);
+        } else {
+            if (others != nullptr)
+                others->template finish<streaming>(threads);
+            if (!divided.z)
+                for_each_index(size.y + 2, threads,
+                               [&](std::int64_t y) { boundary_.collect_z(static_cast<int>(y) - 1); });
+            if (!divided.y)
+                for_each_index(size.z, threads,
+                               [&](std::int64_t z) { boundary_.collect_y(static_cast<int>(z)); });
+        }
+    }
+
+    /// Rows along the faces across y and z that are divided, and the ends of all others if x is.
+    template <Streaming streaming>
+    void step_rim(const LayerInfluence<Real>& layer, const Vec3<bool>& divided, int threads) const {
+        const Vec3<int> size = grid_.size();
+        for_each_index(std::int64_t{size.y} * size.z, threads, [&](std::int64_t row) {
+            const std::int64_t first = first_cell(row);
+            if (is_rim(row, divided)) {
+                step_row<streaming>(first, first, 0, size.x, layer);
+                if constexpr (streaming == Streaming::arrived)
+                    if (!divided.x)
+                        boundary_.publish_row(y_of(row), z_of(row));
+            } else if (divided.x) {
+                step_row<streaming>(first, first, 0, tile_width, layer);
+                step_row<streaming>(first, first, last_tile(), size.x, layer);
+            }
+        });
+    }
+
+    bool is_rim(std::int64_t row, const Vec3<bool>& divided) const {
+        const int y = y_of(row);
+        const int z = z_of(row);
+        return (divided.y && (y == 0 || y == grid_.size().y - 1)) ||
+               (divided.z && (z == 0 || z == grid_.size().z - 1));
+    }
+
+    int last_tile() const { return (grid_.size().x - 1) / tile_width * tile_width; }
+
     int y_of(std::int64_t row) const { return static_cast<int>(row % grid_.size().y); }
     int z_of(std::int64_t row) const { return static_cast<int>(row / grid_.size().y); }
     std::int64_t first_cell(std::int64_t row) const { return grid_.index(0, y_of(row), z_of(row)); }
 
-    void collect_rows(std::int64_t first, std::int64_t last) const {
+    void collect_rows(std::int64_t first, std::int64_t last, const Vec3<bool>& divided) const {
+        if (divided.x)
+            return;
         for (std::int64_t row = first; row < last; ++row)
             boundary_.collect_row(y_of(row), z_of(row));
     }
@@ -115,14 +184,14 @@ private:
         return static_cast<int>(std::max<std::int64_t>(cache / (3 * row_bytes), 4));
     }
 
-    /// As many tiles at once as fill a register.
+    /// The tiles of a row from begin_x to end_x, as many at once as fill a register.
     template <Streaming streaming>
-    void step_row(std::int64_t first, std::int64_t next_first, const LayerInfluence<Real>& layer) const {
+    void step_row(std::int64_t first, std::int64_t next_first, int begin_x, int end_x,
+                  const LayerInfluence<Real>& layer) const {
         constexpr int most = tiles_per_register<Real>;
-        for (int x = 0; x < grid_.size().x;) {
+        for (int x = begin_x; x < end_x;) {
             if constexpr (most > 1)
-                if (x + most * tile_width <= grid_.size().x &&
-                    side_by_side<most>((first + x) / tile_width, layer)) {
+                if (x + most * tile_width <= end_x && side_by_side<most>((first + x) / tile_width, layer)) {
                     step_tiles<streaming, Pack<Real, most * tile_width>>(first + x, next_first + x, layer);
                     x += most * tile_width;
                     continue;

@@ -43,8 +43,8 @@ InitialColours::Row InitialColours::row_near(int y, int z, double far) const {
     Row row{{}, far};
     for (const Placed& placed : shapes_) {
         const double reach = squared(placed.shape->bounding_radius() + far);
-        for (const double from_y : offsets(y + 0.5, placed.centre.y, grid_.size().y).way)
-            for (const double from_z : offsets(z + 0.5, placed.centre.z, grid_.size().z).way)
+        for (const double from_y : offsets(y + 0.5, placed.centre.y, block_.box.y).way)
+            for (const double from_z : offsets(z + 0.5, placed.centre.z, block_.box.z).way)
                 if (const double left = reach - squared(from_y) - squared(from_z); left > 0.0)
                     row.images.push_back({&placed, from_y, from_z, left});
     }
@@ -61,7 +61,7 @@ double InitialColours::distance(const Row& row, int x) const {
     };
     const auto for_each_in_reach = [&](const auto& body) {
         for (const Row::Near& image : row.images)
-            for (const double from_x : offsets(x + 0.5, image.placed->centre.x, grid_.size().x).way)
+            for (const double from_x : offsets(x + 0.5, image.placed->centre.x, block_.box.x).way)
                 if (squared(from_x) < image.reach)
                     body(Candidate{&image, from_x,
                                    std::sqrt(squared(from_x) + squared(image.y) + squared(image.z)) -
@@ -89,28 +89,30 @@ double InitialColours::distance(const Row& row, int x) const {
     return nearest;
 }
 
-InitialColours::InitialColours(const Grid& grid, std::vector<Placed> shapes, double beta, double cutoff,
+InitialColours::InitialColours(const Block& block, std::vector<Placed> shapes, double beta, double cutoff,
                                int threads)
-    : grid_(grid),
+    : block_(block),
+      grid_(block.own.size),
       shapes_(std::move(shapes)),
       beta_(beta),
-      inside_(static_cast<std::size_t>(grid.tiles()), 0) {
-    const Vec3<int> size = grid.size();
+      inside_(static_cast<std::size_t>(grid_.tiles()), 0) {
+    const Vec3<int> size = grid_.size();
+    const Vec3<int> begin = block.own.begin;
     // 1 - tanh^2(beta s) = cutoff at this distance.
     const double core_reach = std::atanh(std::sqrt(1.0 - cutoff)) / beta;
     std::vector<std::vector<Band::Seed>> core_of_plane(static_cast<std::size_t>(size.z));
     for_each_index(size.z, threads, [&](std::int64_t plane) {
         const int z = static_cast<int>(plane);
         for (int y = 0; y < size.y; ++y) {
-            const Row row = row_near(y, z, core_reach + 1.0);
+            const Row row = row_near(begin.y + y, begin.z + z, core_reach + 1.0);
             if (row.images.empty())
                 continue;
             for (int x0 = 0; x0 < size.x; x0 += Grid::tile) {
-                const std::int64_t tile = grid.index(x0, y, z) / Grid::tile;
+                const std::int64_t tile = grid_.index(x0, y, z) / Grid::tile;
                 unsigned core = 0;
                 unsigned red = 0;
                 for (int k = 0; k < Grid::tile && x0 + k < size.x; ++k) {
-                    const double s = distance(row, x0 + k);
+                    const double s = distance(row, begin.x + x0 + k);
                     if (s < 0.0)
                         red |= 1u << k;
                     if (std::abs(s) < core_reach)
@@ -128,7 +130,7 @@ InitialColours::InitialColours(const Grid& grid, std::vector<Placed> shapes, dou
 }
 
 double InitialColours::chi_at(std::int64_t index) const {
-    Vec3<int> cell = grid_.tile_origin(index / Grid::tile);
+    Vec3<int> cell = grid_.tile_origin(index / Grid::tile) + block_.own.begin;
     cell.x += static_cast<int>(index % Grid::tile);
     const Row row = row_near(cell.y, cell.z, 40.0 / beta_); // where the layer has long died away
     const double s = distance(row, cell.x);

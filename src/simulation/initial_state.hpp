@@ -2,6 +2,7 @@
 
 #include "case/parameters.hpp"
 #include "lattice/band.hpp"
+#include "lattice/block.hpp"
 #include "lattice/grid.hpp"
 #include "shape/shape.hpp"
 
@@ -11,8 +12,8 @@
 
 namespace vesica {
 
-/// The colours a run starts from: phi = -tanh(beta s), s the distance from the nearest shape's surface, in a
-/// periodic box.
+/// The colours a run starts from, in a block of a periodic box: phi = -tanh(beta s), s the distance from the
+/// nearest shape's surface.
 class InitialColours {
 public:
     struct Placed {
@@ -20,22 +21,23 @@ public:
         Vec3<double> centre;
     };
 
-    InitialColours(const Grid& grid, std::vector<Placed> shapes, double beta, double cutoff, int threads);
+    InitialColours(const Block& block, std::vector<Placed> shapes, double beta, double cutoff, int threads);
 
     /// Cells whose 1 - phi^2 exceeds the cutoff.
     const std::vector<Band::Seed>& core() const { return core_; }
     /// Per tile: bit k set where cell k lies inside.
     const std::vector<std::uint8_t>& inside() const { return inside_; }
-    /// Signed minority fraction of a cell of the box, by grid index.
+    /// Signed minority fraction of a cell of the block, by grid index.
     double chi_at(std::int64_t cell) const;
 
 private:
     struct Row;
 
-    /// The images of shapes that come within `far` of a row of cells.
+    /// The images of shapes that come within `far` of a row of cells, by its place in the whole box.
     Row row_near(int y, int z, double far) const;
     double distance(const Row& row, int x) const;
 
+    Block block_;
     Grid grid_;
     std::vector<Placed> shapes_;
     double beta_;

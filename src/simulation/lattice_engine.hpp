@@ -3,6 +3,7 @@
 #include "collision/paper_mrt.hpp"
 #include "collision/symmetric_mrt.hpp"
 #include "lattice/unwrap.hpp"
+#include "simulation/colour_sums.hpp"
 #include "simulation/engine.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/fluid_step.hpp"
@@ -11,6 +12,7 @@
 #include "simulation/step_profile.hpp"
 
 #include <optional>
+#include <tuple>
 
 namespace vesica {
 
@@ -49,7 +51,7 @@ private:
     }
 };
 
-/// The simulation in one precision, for one instruction set.
+/// The simulation in one precision, for one instruction set: the block of one rank, in step with the others.
 template <class Real>
 class LatticeEngine final : public Engine {
 public:
@@ -57,12 +59,15 @@ public:
 
     explicit LatticeEngine(const EngineSetup& setup)
         : setup_(setup),
-          grid_(setup.size),
+          block_(setup.neighbourhood->block()),
+          grid_(block_.own.size),
           populations_(direction_count, grid_.cells()),
           f_(populations_.view(), grid_),
           fluid_(std::visit(MakeFluidStep<Real>{grid_, f_, setup}, setup.ghosts)),
-          layer_(grid_, setup.layer),
+          layer_(setup.neighbourhood, setup.layer),
           membrane_(setup.membrane) {
+        if (!block_.is_whole())
+            others_.emplace(*setup_.neighbourhood, f_, grid_);
         fill_at_rest();
         if (setup_.colours != nullptr) {
             layer_.place(
@@ -83,6 +88,7 @@ public:
             find_geometry();  // normals, curvatures
             push_fluid();     // bending, tension, the area's constraint
         }
+        concede_waiting();
         clock_.leave(static_cast<double>(grid_.volume()), static_cast<double>(layer_.band().cell_count()));
     }
 
@@ -97,18 +103,39 @@ public:
     double interface_fraction() const override {
         return static_cast<double>(layer_.band().cell_count()) / static_cast<double>(grid_.volume());
     }
+    RankTraffic traffic() const override {
+        RankTraffic traffic;
+        traffic.band_bytes = layer_.messages().bytes_sent();
+        traffic.band_messages = layer_.messages().messages_sent();
+        if (others_) {
+            traffic.population_bytes = others_->messages().bytes_sent();
+            traffic.population_messages = others_->messages().messages_sent();
+        }
+        return traffic;
+    }
     std::string_view instruction_set() const override { return setup_.instruction_set; }
     const StepProfile& profile() const override { return clock_.profile(); }
 
 private:
-    /// The largest of a quantity over the box and where it is; what is not a number is larger than all.
+    /// The largest of a quantity over the box and where it is; what is not a number is larger than all, and
+    /// of equals the first cell in canonical order counts.
     struct Extreme {
         double size = 0.0;
         Vec3<int> cell{};
+        bool in_layer = false;
 
         void take(const Extreme& other) {
-            if (!std::isnan(size) && !(other.size <= size))
+            if (is_before(other, *this))
                 *this = other;
+        }
+
+    private:
+        static bool is_before(const Extreme& a, const Extreme& b) {
+            if (std::isnan(a.size) != std::isnan(b.size))
+                return std::isnan(a.size);
+            if (a.size > b.size || b.size > a.size)
+                return a.size > b.size;
+            return std::tie(a.cell.z, a.cell.y, a.cell.x) < std::tie(b.cell.z, b.cell.y, b.cell.x);
         }
     };
     struct Extremes {
@@ -123,40 +150,60 @@ private:
         }
     };
 
+    const Ranks& ranks() const { return setup_.neighbourhood->ranks(); }
+
+    /// What was waited for other ranks since the last time is no part of the work.
+    double seconds_waiting() const {
+        return ranks().seconds_summing() + layer_.messages().seconds_waiting() +
+               (others_ ? others_->messages().seconds_waiting() : 0.0);
+    }
+    void concede_waiting() {
+        const double waited = seconds_waiting();
+        clock_.concede(StepPart::waiting, waited - waited_);
+        waited_ = waited;
+    }
+    void enter(StepPart part) {
+        concede_waiting();
+        clock_.enter(part);
+    }
+
     void locate_surface() {
-        clock_.enter(StepPart::locate);
+        enter(StepPart::locate);
         layer_.locate(setup_.threads);
         if (layer_.core_has_left()) {
-            clock_.enter(StepPart::follow);
+            enter(StepPart::follow);
             layer_.follow_core(f_, streaming_, setup_.threads);
             layer_.locate(setup_.threads);
         }
     }
 
     void find_geometry() {
-        clock_.enter(StepPart::normals);
+        enter(StepPart::normals);
         layer_.normals(setup_.threads);
-        clock_.enter(StepPart::curvatures);
+        enter(StepPart::curvatures);
         layer_.curvatures(setup_.threads);
-        clock_.enter(StepPart::slopes);
+        enter(StepPart::slopes);
         layer_.slopes(setup_.threads);
     }
 
     void push_fluid() {
-        clock_.enter(StepPart::forces);
+        enter(StepPart::forces);
         hold_area();
         layer_.forces(membrane_, setup_.threads);
     }
 
     void collide_and_stream() {
+        waited_ = seconds_waiting();
         clock_.begin(StepPart::fluid);
         layer_.begin_transport(setup_.threads);
         const Streaming streamed = after_step(streaming_);
         const auto carry_colours = [&](int thread, std::int64_t first_row, std::int64_t last_row) {
             layer_.transport_rows(f_, streamed, thread, first_row, last_row);
         };
-        std::visit([&](const auto& fluid) { fluid(streaming_, influence(), setup_.threads, carry_colours); },
-                   fluid_);
+        RankBoundary<Real>* const others = others_ ? &*others_ : nullptr;
+        std::visit(
+            [&](const auto& fluid) { fluid(streaming_, influence(), others, setup_.threads, carry_colours); },
+            fluid_);
         clock_.concede(StepPart::transport, layer_.end_transport());
         streaming_ = streamed;
         ++step_;
@@ -212,15 +259,23 @@ private:
                 static_cast<double>(F.component(2)[at])};
     }
 
+    static Extremes nothing_yet() {
+        Extremes none;
+        none.speed.size = none.density.size = none.force.size = -1.0;
+        return none;
+    }
     Extremes extremes() const;
+    DenseField own_field(std::string_view name) const;
+    DenseField gathered(const DenseField& part) const;
     Vec3<double> middle() const;
-    void add_layer_cells(const Unwrap& unwrap, VesicleSnapshot& vesicle) const;
-    void add_inside(const Unwrap& unwrap, VesicleSnapshot& vesicle) const;
-    void add_colour_sums(VesicleSnapshot& vesicle) const;
+    std::vector<InterfaceCell> layer_cells() const;
+    std::vector<InsideSpan> inside_spans() const;
+    ColourSums colour_sums(const std::vector<InterfaceCell>& cells,
+                           const std::vector<InsideSpan>& inside) const;
 
-    /// body(place in canonical order z, y, x; index in the grid)
+    /// body(place in the block's canonical order z, y, x; index in the grid)
     template <class Body>
-    void for_each_cell_of_box(const Body& body) const {
+    void for_each_cell_of_block(const Body& body) const {
         std::size_t at = 0;
         for (int z = 0; z < grid_.size().z; ++z)
             for (int y = 0; y < grid_.size().y; ++y)
@@ -231,15 +286,18 @@ private:
     static constexpr double pi = 3.14159265358979323846;
 
     EngineSetup setup_;
+    Block block_;
     Grid grid_;
     Field<Real> populations_;
     PopulationView<Real> f_;
     AnyFluidStep<Real> fluid_;
     Layer<Real> layer_;
+    std::optional<RankBoundary<Real>> others_; ///< none where the block is the whole box
     Membrane membrane_;
     Streaming streaming_ = Streaming::arrived;
     std::int64_t step_ = 0;
     StepClock clock_;
+    double waited_ = 0.0; ///< for other ranks, as far as it has been conceded
 };
 
 } // namespace vesica

@@ -12,6 +12,8 @@
 #include "membrane/tension.hpp"
 #include "parallel/for_each.hpp"
 #include "parallel/lane_sum.hpp"
+#include "parallel/neighbourhood.hpp"
+#include "simulation/band_halo.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/layer_fields.hpp"
 #include "simulation/layer_reach.hpp"
@@ -47,13 +49,19 @@ struct alignas(64) TransportSums {
 template <class Real>
 class Layer {
 public:
-    Layer(const Grid& grid, const LayerSettings& settings)
-        : settings_(settings),
+    /// In the neighbourhood's block; all ranks make every call that is not const together.
+    Layer(std::shared_ptr<const Neighbourhood> neighbourhood, const LayerSettings& settings)
+        : neighbourhood_(std::move(neighbourhood)),
+          settings_(settings),
           spread_force_(settings.cutoff),
-          band_(grid),
-          inside_(static_cast<std::size_t>(grid.tiles()), 0),
-          force_slots_(static_cast<std::size_t>(grid.tiles()), -1),
-          colour_slots_(static_cast<std::size_t>(grid.tiles()), -1) {}
+          band_(neighbourhood_->block()),
+          halo_(*neighbourhood_),
+          inside_(static_cast<std::size_t>(band_.grid().tiles()), 0),
+          force_slots_(static_cast<std::size_t>(band_.grid().tiles()), -1),
+          colour_slots_(static_cast<std::size_t>(band_.grid().tiles()), -1) {}
+    /// In the whole of a periodic box.
+    Layer(const Grid& box, const LayerSettings& settings)
+        : Layer(std::make_shared<const Neighbourhood>(box.size()), settings) {}
 
     const Band& band() const { return band_; }
     const LayerFields<Real>& fields() const { return fields_; }
@@ -64,7 +72,9 @@ public:
     const std::vector<Band::Seed>& core() const { return laid_out_core_; }
     const LayerSums& sums() const { return sums_; }
     const LayerSettings& settings() const { return settings_; }
-    bool empty() const { return band_.tiles().empty(); }
+    /// No rank has a layer.
+    bool empty() const { return empty_; }
+    const Messages& messages() const { return halo_.messages(); }
 
     /// Per tile of the grid: bit k set where cell k belongs to a level of the band.
     std::vector<std::uint8_t> cells_of_level(int level) const {
@@ -131,7 +141,7 @@ public:
         };
         std::vector<Departed> departed(static_cast<std::size_t>(threads));
         core_bits_.resize(band_.tiles().size());
-        for_tiles(Band::outermost, threads, [&]<class Tiles>(const Tiles& t, std::size_t index, int thread) {
+        const auto place_surface = [&]<class Tiles>(const Tiles& t, std::size_t index, int thread) {
             using V = typename Tiles::V;
             const V density = t.load(fields_.density);
             V chi = t.load(fields_.chi);
@@ -152,12 +162,13 @@ public:
             for (int k = 0; k < Tiles::count; ++k)
                 core_bits_[index + at(k)] = static_cast<std::uint8_t>(core >> (k * tile_width));
             departed[at(thread)].bits |= core & ~t.bits(reach::force);
-        });
-        sums_.raw_area = merged(area);
-        core_has_left_ = std::any_of(departed.begin(), departed.end(),
-                                     [](const Departed& cells) { return cells.bits != 0; });
+        };
+        share(Band::outermost, threads, {fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi},
+              place_surface);
+        area_ = merged(area);
+        core_has_left_ = ranks().any(std::any_of(departed.begin(), departed.end(),
+                                                 [](const Departed& cells) { return cells.bits != 0; }));
         leaked_ = 0.0;
-        exchange({fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi}, threads);
     }
 
     bool core_has_left() const { return core_has_left_; }
@@ -169,29 +180,28 @@ public:
     /// n = grad s/|grad s| (mapped) or -grad phi/|grad phi| (paper), and the segregation flux.
     void normals(int threads) {
         if (mapped()) {
-            for_tiles(reach::receiving, threads, [&]<class Tiles>(const Tiles& t) {
+            share(reach::receiving, threads, {fields_.sharp}, [&]<class Tiles>(const Tiles& t) {
                 using V = typename Tiles::V;
                 t.store(sharpened<V>(around(fields_.s, t), 1.0), fields_.sharp); // normals differentiate it
             });
-            exchange({fields_.sharp}, threads);
         }
-        for_tiles(reach::colour, threads, [&]<class Tiles>(const Tiles& t) {
+        const auto direct = [&]<class Tiles>(const Tiles& t) {
             using V = typename Tiles::V;
             const Vec3<V> n = unit_vector(outward_gradient(t));
             const V chi = t.load(fields_.chi);
             const V density = t.load(fields_.density);
             t.store(n, fields_.n);
             t.store(segregation_flux(chi, density, n, settings_.beta), fields_.w);
-        });
-        exchange({fields_.n[0], fields_.n[1], fields_.n[2], fields_.w[0], fields_.w[1], fields_.w[2]},
-                 threads);
+        };
+        share(reach::colour, threads,
+              {fields_.n[0], fields_.n[1], fields_.n[2], fields_.w[0], fields_.w[1], fields_.w[2]}, direct);
     }
 
     /// H and K from the normals' derivatives, mapped to phi = 0.
     void curvatures(int threads) {
         std::vector<LaneSum<38>> gaussian(static_cast<std::size_t>(threads));
         std::vector<LaneSum<38>> square(static_cast<std::size_t>(threads));
-        for_tiles(reach::raw_curvature, threads, [&]<class Tiles>(const Tiles& t, std::size_t, int thread) {
+        const auto bend = [&]<class Tiles>(const Tiles& t, std::size_t, int thread) {
             using V = typename Tiles::V;
             const Vec3<V> n = t.load(fields_.n);
             const Jacobian<V> G = jacobian<V>(around(fields_.n, t));
@@ -207,24 +217,22 @@ public:
             const auto counted = t.cells_of(reach::raw_curvature);
             gaussian[at(thread)].add(select<Real>(counted, weight * here.K, V(0)));
             square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
-        });
-        sums_.gaussian_curvature = merged(gaussian);
-        sums_.square_mean_curvature = merged(square);
-        exchange({fields_.raw_H0}, threads);
+        };
+        share(reach::raw_curvature, threads, {fields_.raw_H0}, bend);
+        sum_over_ranks(merged(gaussian), merged(square));
         if (!mapped())
             return;
-        for_tiles(reach::curvature, threads, [&]<class Tiles>(const Tiles& t) {
+        share(reach::curvature, threads, {fields_.sharp}, [&]<class Tiles>(const Tiles& t) {
             using V = typename Tiles::V;
             const auto H = around(fields_.raw_H0, t);
             t.store(sharpened<V>(H, 1.0), fields_.H0);    // the derivative that made H of n
             t.store(sharpened<V>(H, 3.0), fields_.sharp); // and the two that make Lap_s H of H
         });
-        exchange({fields_.sharp}, threads);
     }
 
     /// grad H0 along the surface.
     void slopes(int threads) {
-        for_tiles(reach::slope, threads, [&]<class Tiles>(const Tiles& t) {
+        const auto slope = [&]<class Tiles>(const Tiles& t) {
             using V = typename Tiles::V;
             if (!mapped()) {
                 t.store(gradient<V>(around(fields_.raw_H0, t)), fields_.g);
@@ -235,8 +243,8 @@ public:
             const V s = t.load(fields_.s);
             const V J = t.load(fields_.J);
             t.store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, J), fields_.g);
-        });
-        exchange({fields_.g[0], fields_.g[1], fields_.g[2]}, threads);
+        };
+        share(reach::slope, threads, {fields_.g[0], fields_.g[1], fields_.g[2]}, slope);
     }
 
     template <class Tiles>
@@ -325,19 +333,41 @@ private:
                 const std::vector<Real>& density);
 
     template <class Sum>
-    static double merged(const std::vector<Sum>& parts) {
+    static Sum merged(const std::vector<Sum>& parts) {
         Sum total;
         for (const Sum& part : parts)
             total.merge(part);
-        return total.value();
+        return total;
+    }
+
+    const Ranks& ranks() const { return neighbourhood_->ranks(); }
+
+    /// All that the area's constraint asks for, in one message.
+    void sum_over_ranks(const LaneSum<38>& gaussian, const LaneSum<38>& square) {
+        std::uint64_t totals[3] = {area_.total(), gaussian.total(), square.total()};
+        ranks().sum(totals);
+        sums_.raw_area = LaneSum<38>::value_of(totals[0]);
+        sums_.gaussian_curvature = LaneSum<38>::value_of(totals[1]);
+        sums_.square_mean_curvature = LaneSum<38>::value_of(totals[2]);
+    }
+
+    void set_leaked(const LaneSum<50>& leaked, const LaneSum<38>& layer) {
+        std::uint64_t totals[2] = {leaked.total(), layer.total()};
+        ranks().sum(totals);
+        leaked_ += settings_.reference_density * LaneSum<50>::value_of(totals[0]);
+        layer_sum_ = LaneSum<38>::value_of(totals[1]);
     }
 
     /// body(tiles) or body(tiles, index of the first, thread) for all tiles with cells in `level`.
     template <class Body>
     void for_tiles(int level, int threads, const Body& body) const {
-        for_each_block(static_cast<std::int64_t>(band_.of_level(level).size()), threads,
+        for_listed_tiles(band_.of_level(level), threads, body);
+    }
+    template <class Body>
+    void for_listed_tiles(const std::vector<std::int32_t>& list, int threads, const Body& body) const {
+        for_each_block(static_cast<std::int64_t>(list.size()), threads,
                        [&](int thread, std::int64_t begin, std::int64_t end) {
-                           for_each_run<Real>(band_, level, begin, end,
+                           for_each_run<Real>(band_, list, begin, end,
                                               [&](const auto& tiles, std::size_t index) {
                                                   if constexpr (std::is_invocable_v<Body, decltype(tiles)>)
                                                       body(tiles);
@@ -347,8 +377,24 @@ private:
                        });
     }
 
-    /// Ghost cells of the band take the values of the cells they mirror.
-    void exchange(std::initializer_list<std::span<Real>> arrays, int threads) {
+    /// for_tiles, after which the ghosts of `arrays` have the values of the cells they stand for. What other
+    /// ranks wait for comes first and travels while the rest is worked on.
+    template <class Body>
+    void share(int level, int threads, std::initializer_list<std::span<Real>> arrays, const Body& body) {
+        if (neighbourhood_->block().is_whole()) {
+            for_tiles(level, threads, body);
+            copy_ghosts(arrays, threads);
+            return;
+        }
+        for_listed_tiles(band_.rim_of_level(level), threads, body);
+        halo_.start(arrays, threads);
+        for_listed_tiles(band_.inner_of_level(level), threads, body);
+        copy_ghosts(arrays, threads);
+        halo_.finish(arrays, threads);
+    }
+
+    /// Those that stand for cells of this block.
+    void copy_ghosts(std::initializer_list<std::span<Real>> arrays, int threads) {
         const std::vector<Band::GhostCopy>& copies = band_.ghost_copies();
         if (copies.empty())
             return;
@@ -360,9 +406,11 @@ private:
                        });
     }
 
+    std::shared_ptr<const Neighbourhood> neighbourhood_;
     LayerSettings settings_;
     LayerForce spread_force_;
     Band band_;
+    BandHalo<Real> halo_;
     LayerFields<Real> fields_;
     Field<Real> force_;
     std::vector<std::uint8_t>
@@ -372,10 +420,12 @@ private:
         colour_slots_; ///< per tile: of colours, -1 for tiles addressed for ghosts alone
     std::vector<Band::Seed> laid_out_core_;
     std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
-    bool core_has_left_ = false;          ///< one of them lies where there is no room for a force
+    bool empty_ = true;
+    bool core_has_left_ = false; ///< one of them lies where there is no room for a force
     std::vector<std::int32_t>
         row_begins_; ///< per row of the box: its first tile in the receiving level's list
     std::vector<TransportSums> transport_sums_; ///< per thread
+    LaneSum<38> area_;                          ///< of this rank's block
     LayerSums sums_;
     double leaked_ = 0.0;    ///< red mass to be given back
     double layer_sum_ = 0.0; ///< sum (1 - phi^2) it is shared by

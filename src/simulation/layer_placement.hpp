@@ -58,7 +58,9 @@ void Layer<Real>::lay_out(const std::vector<Band::Seed>& core) {
     laid_out_core_ = core;
     for (const BandTile& t : band_.tiles())
         force_slots_[at(t.tile)] = colour_slots_[at(t.tile)] = -1;
-    band_.rebuild(core);
+    band_.rebuild(core, halo_.exchange_seeds(core, band_.grid()));
+    halo_.follow(band_);
+    empty_ = !ranks().any(!core.empty());
     for (const BandTile& t : band_.tiles())
         colour_slots_[at(t.tile)] = t.slot();
     fields_.resize(band_.compact_size());
@@ -93,7 +95,6 @@ void Layer<Real>::let_go(const std::vector<BandTile>& tiles, const std::vector<R
     LaneSum<50> gone;
     using V = Pack<Real>;
     const V per_reference = V(1.0 / settings_.reference_density);
-    layer_sum_ = 0.0;
     for (const BandTile& t : tiles) {
         const BandTile* const now = detail::find_tile(band_.tiles(), t.tile);
         const unsigned kept = now != nullptr ? now->bits[reach::colour] : 0u;
@@ -108,8 +109,7 @@ void Layer<Real>::let_go(const std::vector<BandTile>& tiles, const std::vector<R
     for (const BandTile& t : band_.tiles())
         layer.add(select<Real>(V::mask(t.bits[reach::colour]),
                                layer_density(V::load(fields_.chi.data() + t.slot())), V(0)));
-    leaked_ += settings_.reference_density * gone.value();
-    layer_sum_ = layer.value();
+    set_leaked(gone, layer);
 }
 
 } // namespace vesica

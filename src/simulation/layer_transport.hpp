@@ -34,7 +34,7 @@ template <Streaming streaming>
 void Layer<Real>::transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
                                   TransportSums& sums) {
     TransportSums here; // the compiler knows that nothing else refers to it
-    for_each_run<Real>(band_, reach::receiving, static_cast<std::int64_t>(begin),
+    for_each_run<Real>(band_, band_.of_level(reach::receiving), static_cast<std::int64_t>(begin),
                        static_cast<std::int64_t>(end),
                        [&](const auto& t, std::size_t) { transport_tile<streaming>(f, t, here); });
     sums.merge(here);
@@ -77,8 +77,7 @@ double Layer<Real>::end_transport() {
     TransportSums total;
     for (const TransportSums& sums : transport_sums_)
         total.merge(sums);
-    leaked_ += settings_.reference_density * total.leaked.value();
-    layer_sum_ = total.layer.value();
+    set_leaked(total.leaked, total.layer);
     return total.seconds / static_cast<double>(transport_sums_.size());
 }
 

@@ -1,10 +1,12 @@
 #include "simulation/plan_cost.hpp"
 
 #include <omp.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -158,6 +160,17 @@ double available_memory() {
 
 int default_threads() {
     return std::max(1, omp_get_max_threads());
+}
+
+int default_threads(const Ranks& ranks) {
+    if (ranks.count() == 1 || std::getenv("OMP_NUM_THREADS") != nullptr)
+        return default_threads();
+    // Ranks may be bound to processors of their own, or to the same ones.
+    const std::int64_t bound = omp_get_num_procs();
+    const std::int64_t asked_for = ranks.sum_on_this_machine(bound);
+    const std::int64_t there = std::max<std::int64_t>(sysconf(_SC_NPROCESSORS_ONLN), 1);
+    return static_cast<int>(
+        std::clamp<std::int64_t>(bound * there / std::max<std::int64_t>(asked_for, 1), 1, bound));
 }
 
 } // namespace vesica

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/parameters.hpp"
+#include "parallel/ranks.hpp"
 #include "simulation/engine.hpp"
 
 #include <cstdint>
@@ -34,5 +35,7 @@ double available_memory();
 
 /// The number of threads a run takes if nobody says otherwise: OMP_NUM_THREADS, or the processors at hand.
 int default_threads();
+/// The same for each of several ranks, which may share a machine's processors.
+int default_threads(const Ranks& ranks);
 
 } // namespace vesica

@@ -15,8 +15,10 @@ namespace vesica {
 class RowSchedule {
 public:
     /// Blocks of `rows_in_block` rows along y, each through all z: three planes of a block are what a cache
-    /// should hold.
-    RowSchedule(const Vec3<int>& size, int rows_in_block) : size_(size), block_(rows_in_block) {}
+    /// should hold. If the rows' ends wait for other processes
+    /// (`ends_wait`), none settles before the boundary.
+    RowSchedule(const Vec3<int>& size, int rows_in_block, bool ends_wait = false)
+        : size_(size), block_(rows_in_block), ends_wait_(ends_wait) {}
 
     std::int64_t rows() const { return std::int64_t{size_.y} * size_.z; }
 
@@ -64,7 +66,7 @@ private:
 
     /// Rows of a plane that have all neighbours among this thread's and none across a face.
     Rows settling_in(std::int64_t z, std::int64_t begin, std::int64_t end) const {
-        if (z < 1 || z > size_.z - 2)
+        if (ends_wait_ || z < 1 || z > size_.z - 2)
             return {0, 0};
         const std::int64_t to_corner = size_.y + 1;
         return {std::max(row(1, z), begin + to_corner), std::min(row(size_.y - 1, z), end - to_corner)};
@@ -72,6 +74,7 @@ private:
 
     Vec3<int> size_;
     int block_;
+    bool ends_wait_;
 };
 
 } // namespace vesica

@@ -22,8 +22,12 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-std::unique_ptr<Engine> build_engine(const Case& what, const RunOptions& options, int threads) {
+/// `from` is the checkpoint whose state the engine will take up, if any.
+std::unique_ptr<Engine> build_engine(const Case& what, const RunOptions& options, int threads,
+                                     const std::optional<std::filesystem::path>& from) {
     try {
+        if (options.crew != nullptr)
+            return options.crew->build(what, {options.threads, options.blocks, options.balance}, from);
         return options.factory ? options.factory(what.parameters, threads)
                                : make_engine(what.parameters, threads);
     } catch (const std::bad_alloc&) {
@@ -32,6 +36,17 @@ std::unique_ptr<Engine> build_engine(const Case& what, const RunOptions& options
             fmt::format("{}: not enough memory for {} x {} x {} cells; `vesica check` says how much it takes",
                         what.source_file, size.x, size.y, size.z));
     }
+}
+
+void load_state(Engine& engine, const RunOptions& options, const std::filesystem::path& checkpoint,
+                const StateChange& change, const Vec3<int>& box) {
+    if (options.crew != nullptr) {
+        options.crew->load(checkpoint, change);
+        return;
+    }
+    EngineState state = read_state(checkpoint, {{}, box});
+    change.apply(state);
+    engine.load(state);
 }
 
 /// What a run and its resumption have in common: from a built engine to the summary.
@@ -71,18 +86,28 @@ public:
         account_.first_step = engine.steps_done();
         account_.threads = threads_;
         account_.instruction_set = std::string(engine.instruction_set());
-        say(fmt::format("{}: {} x {} x {} cells, steps {} to {}, {} thread{} ({}), into {}", title(),
+        say(fmt::format("{}: {} x {} x {} cells, steps {} to {}, {}{} thread{} ({}), into {}", title(),
                         case_.parameters.size.x, case_.parameters.size.y, case_.parameters.size.z,
-                        engine.steps_done(), case_.run.steps, threads_, threads_ == 1 ? "" : "s",
-                        engine.instruction_set(), directory_.path().string()));
+                        engine.steps_done(), case_.run.steps, ranks_text(), threads_,
+                        threads_ == 1 ? "" : "s", engine.instruction_set(), directory_.path().string()));
         const LoopResult result = loop(engine, metrics, resumed);
         account_.bytes_allocated = static_cast<double>(engine.bytes_allocated());
         account_.interface_fraction = engine.interface_fraction();
         account_.profile = engine.profile();
+        if (options_.crew != nullptr)
+            account_.parallel = options_.crew->report();
         return conclude(result, metrics);
     }
 
 private:
+    std::string ranks_text() const {
+        if (options_.crew == nullptr)
+            return {};
+        const Vec3<int> blocks = options_.crew->report().blocks;
+        return fmt::format("{} ranks in {} x {} x {} blocks of ", options_.crew->ranks().count(), blocks.x,
+                           blocks.y, blocks.z);
+    }
+
     std::string title() const { return case_.title.empty() ? case_.source_file : case_.title; }
 
     LoopResult loop(Engine& engine, RunMetrics& metrics, const Checkpoint* resumed) {
@@ -93,7 +118,8 @@ private:
         LoopResult result;
         try {
             const auto from = resumed != nullptr ? std::optional(resumed->engine.step) : std::nullopt;
-            RunRecorder recorder(case_, directory_, log_, metrics, progress, stop, from);
+            RunRecorder recorder(case_, directory_, log_, metrics, progress, stop,
+                                 options_.crew != nullptr ? *options_.crew : nobody_, from);
             if (resumed != nullptr)
                 recorder.restore(resumed->notes);
             const auto settle = [&] {
@@ -168,6 +194,8 @@ private:
                             account_.mlups(static_cast<double>(plan_.cells), result.step), where));
         else
             log_.error(outcome.message);
+        if (!account_.parallel.ranks.empty())
+            say(account_.parallel.text());
         if (options_.profile)
             say(account_.profile.text(threads_));
         return outcome;
@@ -184,6 +212,7 @@ private:
     int threads_;
     Clock::time_point begin_;
     RunAccount account_;
+    Colleagues nobody_;
 };
 
 /// The case as it is read again from anywhere: a checkpoint lies in another folder than the case file.
@@ -195,8 +224,11 @@ Case with_absolute_meshes(Case what) {
     return what;
 }
 
+/// With a crew, of each rank.
 int threads_for(const RunOptions& options) {
-    return options.threads > 0 ? options.threads : default_threads();
+    if (options.threads > 0)
+        return options.threads;
+    return options.crew != nullptr ? options.crew->default_threads() : default_threads();
 }
 
 } // namespace
@@ -206,9 +238,13 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     Case what = with_absolute_meshes(original);
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
+    if (options.crew != nullptr) // a box that cannot be cut is refused before anything is written
+        layout_for(what.parameters.size, options.crew->ranks().count(), options.blocks);
+    Colleagues nobody;
+    Colleagues& colleagues = options.crew != nullptr ? *options.crew : nobody;
     std::optional<StartState> start;
     if (what.initial) {
-        start = read_start_state(what);
+        start = find_start_state(what, colleagues);
         what.initial = InitialCheckpoint{start->path.string(), std::nullopt};
     }
     // The directory first: a refusal should not take as long as building the initial state does.
@@ -220,12 +256,12 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     session.log().information(fmt::format("vesica {} ({}, {})", version, commit, compiler));
     session.warn();
 
-    const auto engine = build_engine(what, options, threads);
+    const auto engine =
+        build_engine(what, options, threads, start ? std::optional(start->path) : std::nullopt);
     if (start) {
-        engine->load(start->engine);
+        load_state(*engine, options, start->path, start->change, what.parameters.size);
         session.log().information(
             fmt::format("starts from step {} of {}", start->step, start->path.string()));
-        start.reset();
     }
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
     return session.run(*engine, metrics, nullptr);
@@ -234,7 +270,9 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
 RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions& options) {
     const auto begin = Clock::now();
     OutputDirectory directory = OutputDirectory::open(options.directory);
-    IntactCheckpoint found = newest_intact_checkpoint(options.directory / "checkpoints");
+    Colleagues nobody;
+    Colleagues& colleagues = options.crew != nullptr ? *options.crew : nobody;
+    IntactCheckpoint found = newest_intact_checkpoint(options.directory / "checkpoints", colleagues);
     Case what = read_case_text(found.checkpoint.case_text, found.path.string());
     const std::int64_t done = found.checkpoint.engine.step;
     if (steps && *steps < done)
@@ -253,10 +291,9 @@ RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions
         session.log().warning(refused);
     session.log().information(fmt::format("vesica {} ({}, {}) resumes from {}", version, commit, compiler,
                                           found.path.filename().string()));
-    const auto engine = build_engine(what, options, threads);
+    const auto engine = build_engine(what, options, threads, found.path);
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
-    engine->load(found.checkpoint.engine);
-    found.checkpoint.engine.populations = {}; // the engine has them
+    load_state(*engine, options, found.path, {}, what.parameters.size);
     metrics.restore(found.checkpoint.notes);
     return session.run(*engine, metrics, &found.checkpoint);
 }

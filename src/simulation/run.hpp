@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "simulation/crew.hpp"
 #include "simulation/plan.hpp"
 #include "simulation/plan_cost.hpp"
 #include "simulation/run_loop.hpp"
@@ -22,6 +23,9 @@ struct RunOptions {
     std::ostream* out = nullptr; ///< for progress and a word at the beginning and the end; null: silent
     bool terminal = false;       ///< whether `out` is one
     EngineFactory factory;       ///< empty: make_engine
+    Crew* crew = nullptr;        ///< where several ranks share the box; its settings:
+    std::optional<Vec3<int>> blocks;
+    Balance balance = Balance::interface;
 };
 
 /// Exit statuses of the program, for whoever runs a case.

@@ -101,6 +101,8 @@ RunSummary RunAccount::summary(const Case& what, const Plan& plan, const LoopRes
     summary.device = "cpu";
     summary.instruction_set = instruction_set;
     summary.threads = threads;
+    summary.ranks = std::max(1, static_cast<int>(parallel.ranks.size()));
+    summary.parallel = parallel;
     summary.bytes_allocated = bytes_allocated;
     summary.mlups = mlups(static_cast<double>(plan.cells), result.step);
     summary.seconds = {

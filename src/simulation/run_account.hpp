@@ -23,7 +23,8 @@ struct RunAccount {
     std::string instruction_set;
     double bytes_allocated = 0.0;
     double interface_fraction = 0.0;
-    StepProfile profile;
+    StepProfile profile; ///< of the rank that leads
+    ParallelSummary parallel;
 
     /// Million lattice updates per second of stepping; 0 if nothing was stepped.
     double mlups(double cells, std::int64_t last_step) const;

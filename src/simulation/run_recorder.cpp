@@ -92,12 +92,14 @@ SurfaceArrays surface_of(const VesicleSnapshot& vesicle, int index, const std::o
 } // namespace
 
 RunRecorder::RunRecorder(const Case& what, const OutputDirectory& directory, RunLog& log, RunMetrics& metrics,
-                         Progress& progress, const StopRequest& stop, std::optional<std::int64_t> resumed)
+                         Progress& progress, const StopRequest& stop, Colleagues& colleagues,
+                         std::optional<std::int64_t> resumed)
     : case_(what),
       log_(log),
       metrics_(metrics),
       progress_(progress),
       stop_(stop),
+      colleagues_(colleagues),
       metrics_file_(metrics_file_for(what, directory, resumed)),
       surfaces_(surfaces_for(what, directory, resumed)),
       checkpoints_(directory / "checkpoints", std::max(1, what.output.checkpoint_keep)) {
@@ -157,7 +159,7 @@ void RunRecorder::write_checkpoint(const Engine& engine) {
     if (fields_)
         checkpoint.notes.merge(fields_->notes());
     checkpoint.program_version = version;
-    const std::filesystem::path path = checkpoints_.write(checkpoint);
+    const std::filesystem::path path = checkpoints_.write(checkpoint, colleagues_);
     log_.information(fmt::format("step {}: checkpoint {}", engine.steps_done(), path.filename().string()));
 }
 

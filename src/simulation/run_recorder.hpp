@@ -23,7 +23,8 @@ public:
     /// `resumed`: the step of the checkpoint from which the run continues; what was written beyond it is
     /// removed.
     RunRecorder(const Case& what, const OutputDirectory& directory, RunLog& log, RunMetrics& metrics,
-                Progress& progress, const StopRequest& stop, std::optional<std::int64_t> resumed);
+                Progress& progress, const StopRequest& stop, Colleagues& colleagues,
+                std::optional<std::int64_t> resumed);
 
     /// Takes up the averages a checkpoint was in the middle of.
     void restore(const RunMetrics::Notes& notes) {
@@ -49,6 +50,7 @@ private:
     RunMetrics& metrics_;
     Progress& progress_;
     const StopRequest& stop_;
+    Colleagues& colleagues_;
     MetricsFile metrics_file_;
     std::optional<RunFields> fields_;
     std::optional<SurfaceSeries> surfaces_;

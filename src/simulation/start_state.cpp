@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <utility>
+#include <algorithm>
 
 namespace vesica {
 
@@ -30,9 +30,9 @@ std::filesystem::path find_start(const Case& what) {
         "directory `vesica run` named at its end");
 }
 
-IntactCheckpoint newest_of(const Case& what, const std::filesystem::path& store) {
+IntactCheckpoint newest_of(const Case& what, const std::filesystem::path& store, Colleagues& colleagues) {
     try {
-        return newest_intact_checkpoint(store);
+        return newest_intact_checkpoint(store, colleagues);
     } catch (const InputError& none) {
         refuse(what, "initial.checkpoint",
                std::string("expected a run that left a checkpoint; ") + none.what() +
@@ -40,25 +40,25 @@ IntactCheckpoint newest_of(const Case& what, const std::filesystem::path& store)
     }
 }
 
-IntactCheckpoint read_start(const Case& what) {
+IntactCheckpoint read_start(const Case& what, Colleagues& colleagues) {
     const std::filesystem::path path = find_start(what);
     try {
         if (!std::filesystem::is_directory(path)) {
             if (what.initial->step)
                 refuse(what, "initial.step",
                        "expected none beside a single file; try the run's directory as checkpoint");
-            return {read_checkpoint(path), path, {}};
+            return {read_checkpoint_notes(path, colleagues), path, {}};
         }
         const std::filesystem::path store = path / "checkpoints";
         if (!what.initial->step)
-            return newest_of(what, store);
+            return newest_of(what, store, colleagues);
         const std::filesystem::path chosen = checkpoint_path(store, *what.initial->step);
         if (!std::filesystem::exists(chosen))
             refuse(what, "initial.step",
                    fmt::format("there is no {}; expected the step of a checkpoint in {}; try without it, "
                                "which takes the newest",
                                chosen.filename().string(), store.string()));
-        return {read_checkpoint(chosen), chosen, {}};
+        return {read_checkpoint_notes(chosen, colleagues), chosen, {}};
     } catch (const RunError& damaged) {
         refuse(what, "initial.checkpoint",
                std::string("expected a checkpoint that is intact; ") + damaged.what());
@@ -99,15 +99,23 @@ std::size_t kind_of_constraint(const Case& what) {
 
 } // namespace
 
-StartState read_start_state(const Case& what) {
-    IntactCheckpoint found = read_start(what);
+void StateChange::apply(EngineState& state) const {
+    if (from_step_zero)
+        state.step = 0;
+    if (without_controllers)
+        std::fill(state.controllers.begin(), state.controllers.end(), 0.0);
+}
+
+StartState find_start_state(const Case& what, Colleagues& colleagues) {
+    const IntactCheckpoint found = read_start(what, colleagues);
     const Case before = read_case_text(found.checkpoint.case_text, found.path.string());
     check_model(what, before, found.path);
-    StartState start{std::move(found.checkpoint.engine), found.path, 0};
-    start.step = std::exchange(start.engine.step, 0);
-    if (!what.parameters.vesicles.empty() && kind_of_constraint(what) != kind_of_constraint(before))
-        for (double& memory : start.engine.controllers)
-            memory = 0.0;
+    StartState start;
+    start.path = found.path;
+    start.step = found.checkpoint.engine.step;
+    start.change.from_step_zero = true;
+    start.change.without_controllers =
+        !what.parameters.vesicles.empty() && kind_of_constraint(what) != kind_of_constraint(before);
     return start;
 }
 

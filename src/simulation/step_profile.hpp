@@ -9,14 +9,15 @@
 
 namespace vesica {
 
-/// The parts of a step, in the order they are done; transport goes along with the fluid.
-enum class StepPart { fluid, transport, locate, follow, normals, curvatures, slopes, forces };
+/// The parts of a step, in the order they are done; transport goes along with the fluid, and waiting for
+/// other ranks with all of them.
+enum class StepPart { fluid, transport, locate, follow, normals, curvatures, slopes, forces, waiting };
 
-inline constexpr std::size_t step_part_count = 8;
+inline constexpr std::size_t step_part_count = 9;
 
 constexpr const char* name_of(StepPart part) {
-    constexpr const char* names[step_part_count] = {"fluid",   "transport",  "locate", "follow",
-                                                    "normals", "curvatures", "slopes", "forces"};
+    constexpr const char* names[step_part_count] = {"fluid",      "transport", "locate", "follow", "normals",
+                                                    "curvatures", "slopes",    "forces", "waiting"};
     return names[static_cast<std::size_t>(part)];
 }
 

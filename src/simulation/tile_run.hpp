@@ -5,6 +5,7 @@
 #include "parallel/pack.hpp"
 
 #include <span>
+#include <vector>
 
 namespace vesica {
 
@@ -44,13 +45,13 @@ struct TileRun {
     }
 };
 
-/// body(run, index of its first tile) for the tiles that have cells in `level`, from the begin-th of them to
-/// the one before the end-th: as many tiles at once as lie side by side and fill a register.
+/// body(run, index of its first tile) for the band's tiles of an ascending list, from the begin-th to the one
+/// before the end-th: as many tiles at once as lie side by side and fill a register.
 template <class Real, int most = tiles_per_register<Real>, class Body>
-VESICA_INLINE void for_each_run(const Band& band, int level, std::int64_t begin, std::int64_t end,
-                                const Body& body) {
+VESICA_INLINE void for_each_run(const Band& band, const std::vector<std::int32_t>& tiles, std::int64_t begin,
+                                std::int64_t end, const Body& body) {
     static_assert(most <= 2);
-    const std::int32_t* const list = band.of_level(level).data();
+    const std::int32_t* const list = tiles.data();
     for (std::int64_t k = begin; k < end; ++k) {
         const auto index = static_cast<std::size_t>(list[k]);
         const BandTile* const first = band.tiles().data() + index;

@@ -26,6 +26,7 @@ Checkpoint awkward_checkpoint(Precision precision, Vec3<int> size = {7, 5, 3}) {
     state.step = 123456;
     state.precision = precision;
     state.size = size;
+    state.part = {{}, size};
     const auto cells = static_cast<std::size_t>(size.x * size.y * size.z);
     const auto number = [&]() -> double {
         if (precision == Precision::double_precision)
@@ -291,7 +292,7 @@ TEST_CASE("a checkpoint that does not fit costs neither the earlier one nor a ha
     AtomicFile file(disk / "a.h5");
     REQUIRE_THAT(complaint_of<RunError>([&] { file.try_space(std::uint64_t{4} << 20); }),
                  Catch::EndsWith("a.h5: cannot write: No space left on device"));
-    require_same(checkpoint, newest_intact_checkpoint(disk.path()).checkpoint);
+    require_same(checkpoint, read_checkpoint(newest_intact_checkpoint(disk.path()).path));
     REQUIRE(exists(first));
     REQUIRE_FALSE(exists(checkpoint_path(disk.path(), 200)));
     REQUIRE_FALSE(exists(temporary_name(checkpoint_path(disk.path(), 200))));

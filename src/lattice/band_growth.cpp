@@ -1,0 +1,147 @@
+#include "lattice/band_growth.hpp"
+
+#include <algorithm>
+
+namespace vesica {
+
+namespace {
+
+constexpr int tile = Grid::tile;
+
+Vec3<int> margin_of(const Block& block) {
+    constexpr int whole_tiles = (BandGrowth::core_reach + tile - 1) / tile * tile;
+    return {block.divided.x ? whole_tiles : 0, block.divided.y ? BandGrowth::core_reach : 0,
+            block.divided.z ? BandGrowth::core_reach : 0};
+}
+
+} // namespace
+
+bool matters_to(const Block& block, const Vec3<int>& first) {
+    for (int a = 0; a < 3; ++a) {
+        bool near = !block.divided[a];
+        for (int image = -1; image <= 1; ++image) {
+            const int begin = first[a] + image * block.box[a] - block.own.begin[a];
+            const int last = begin + (a == 0 ? tile - 1 : 0);
+            near = near ||
+                   (last >= -BandGrowth::core_reach && begin < block.own.size[a] + BandGrowth::core_reach);
+        }
+        if (!near)
+            return false;
+    }
+    return true;
+}
+
+BandGrowth::BandGrowth(const Block& block)
+    : block_(block), margin_(margin_of(block)), wide_(block.own.size + 2 * margin_) {
+    for (auto& bits : level_bits_)
+        bits.assign(static_cast<std::size_t>(wide_.tiles()), 0);
+}
+
+void BandGrowth::grow(const std::vector<BandSeed>& core, const std::vector<ForeignSeed>& foreign) {
+    const Grid own(block_.own.size);
+    for (const BandSeed& seed : core)
+        mark(0, tile_at(own.tile_origin(seed.tile)), seed.bits);
+    for (const ForeignSeed& seed : foreign)
+        for (int k = 0; k < tile; ++k)
+            if ((seed.bits >> k & 1) != 0)
+                mark_images({seed.first.x + k, seed.first.y, seed.first.z});
+    for (int level = 0; level < outermost; ++level)
+        grow_level(level);
+}
+
+void BandGrowth::forget() {
+    for (int level = 0; level <= outermost; ++level) {
+        for (const std::int64_t t : marked_[level])
+            level_bits_[level][static_cast<std::size_t>(t)] = 0;
+        marked_[level].clear();
+    }
+}
+
+void BandGrowth::mark(int level, std::int64_t t, std::uint8_t bits) {
+    std::uint8_t& held = level_bits_[level][static_cast<std::size_t>(t)];
+    if (held == 0 && bits != 0)
+        marked_[level].push_back(t);
+    held |= bits;
+}
+
+void BandGrowth::mark_cell(int level, std::int64_t row_tile, int x) {
+    mark(level, row_tile + 1 + x / tile, static_cast<std::uint8_t>(1u << (x % tile)));
+}
+
+/// Every image of a cell of the whole box that lies in the block or its margin.
+void BandGrowth::mark_images(const Vec3<int>& cell) {
+    Vec3<int> places[3]; // along each axis, by image
+    int counts[3] = {};
+    for (int a = 0; a < 3; ++a)
+        for (int image = -1; image <= 1; ++image) {
+            const int place = cell[a] - block_.own.begin[a] + image * block_.box[a] + margin_[a];
+            if (place >= 0 && place < wide_.size()[a] && (block_.divided[a] || image == 0))
+                places[counts[a]++][a] = place;
+        }
+    for (int k = 0; k < counts[2]; ++k)
+        for (int j = 0; j < counts[1]; ++j)
+            for (int i = 0; i < counts[0]; ++i)
+                mark_cell(0, wide_.index(-tile, places[j].y, places[k].z) / tile, places[i].x);
+}
+
+/// Marks bits in a row at level; with `sideways` also their neighbours along x, across the periodic face if
+/// need be.
+void BandGrowth::spread(std::int64_t row_tile, int tile_in_row, std::uint8_t bits, bool sideways, int level) {
+    mark(level, row_tile + tile_in_row, bits);
+    if (!sideways)
+        return;
+    const int nx = wide_.size().x;
+    const int x0 = (tile_in_row - 1) * tile;
+    const unsigned wide = bits;
+    const unsigned last = static_cast<unsigned>(std::min(tile, nx - x0)) - 1;
+    const unsigned inside = (2u << last) - 1;
+    mark(level, row_tile + tile_in_row, static_cast<std::uint8_t>((wide << 1 | wide >> 1) & inside));
+    const int before = x0 - 1;
+    const int behind = x0 + static_cast<int>(last) + 1;
+    if ((wide & 1u) != 0 && (before >= 0 || !block_.divided.x))
+        mark_cell(level, row_tile, before >= 0 ? before : nx - 1);
+    if ((wide >> last & 1u) != 0 && (behind < nx || !block_.divided.x))
+        mark_cell(level, row_tile, behind < nx ? behind : 0);
+}
+
+/// level + 1 is level and all cells one link of D3Q19 away from it.
+void BandGrowth::grow_level(int level) {
+    const Vec3<int> size = wide_.size();
+    // Across a divided axis nothing comes round: beyond the margin nothing matters to the block.
+    const auto leaves = [&](int& place, int axis) {
+        if (place >= 0 && place < size[axis])
+            return false;
+        place += place < 0 ? size[axis] : -size[axis];
+        return block_.divided[axis];
+    };
+    // marked_ of this level is complete; the next level's list grows while we go through it.
+    for (std::size_t k = 0; k < marked_[level].size(); ++k) {
+        const std::int64_t t = marked_[level][k];
+        const std::uint8_t bits = level_bits_[level][static_cast<std::size_t>(t)];
+        mark(level + 1, t, bits);
+        // Neighbours of what the level before held belong to this level, and so to the next, already.
+        const std::uint8_t before = level > 0 ? level_bits_[level - 1][static_cast<std::size_t>(t)] : 0;
+        const auto fresh = static_cast<std::uint8_t>(bits & ~before);
+        if (fresh == 0)
+            continue;
+        const Vec3<int> origin = wide_.tile_origin(t);
+        const int tile_in_row = static_cast<int>(t % wide_.tiles_per_row());
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy) {
+                int y = origin.y + dy;
+                int z = origin.z + dz;
+                if (leaves(y, 1) || leaves(z, 2))
+                    continue;
+                spread(wide_.index(-tile, y, z) / tile, tile_in_row, fresh, dy == 0 || dz == 0, level + 1);
+            }
+    }
+}
+
+std::size_t BandGrowth::bytes() const {
+    std::size_t sum = 0;
+    for (int level = 0; level <= outermost; ++level)
+        sum += level_bits_[level].capacity() + marked_[level].capacity() * sizeof(std::int64_t);
+    return sum;
+}
+
+} // namespace vesica

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "lattice/band.hpp"
+#include "parallel/for_each.hpp"
+#include "parallel/neighbourhood.hpp"
+
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+namespace vesica {
+
+/// What neighbouring blocks tell each other of a band: the values of compact arrays in the cells of which the
+/// other has ghosts, and nothing else.
+template <class Real>
+class BandHalo {
+public:
+    using Arrays = std::initializer_list<std::span<Real>>;
+
+    explicit BandHalo(const Neighbourhood& neighbourhood)
+        : neighbourhood_(neighbourhood),
+          messages_(neighbourhood),
+          cells_(neighbourhood.neighbours().size()) {}
+
+    const Messages& messages() const { return messages_; }
+
+    /// The band has been laid out anew.
+    void follow(const Band& band) {
+        for (std::size_t k = 0; k < cells_.size(); ++k) {
+            const Neighbourhood::Neighbour& neighbour = neighbourhood_.neighbours()[k];
+            cells_[k].rim.clear();
+            cells_[k].ghosts.clear();
+            for (const std::size_t part : neighbour.outgoing)
+                append(band.part_cells()[part].rim, cells_[k].rim);
+            for (const std::size_t part : neighbour.incoming)
+                append(band.part_cells()[part].ghosts, cells_[k].ghosts);
+        }
+    }
+
+    /// Core cells of the neighbours that lie near enough to this block to matter; what each is sent is cut in
+    /// the same way.
+    std::vector<ForeignSeed> exchange_seeds(const std::vector<BandSeed>& own, const Grid& grid) const;
+
+    void start(Arrays arrays, int threads) {
+        std::vector<std::size_t> outgoing;
+        std::vector<std::size_t> incoming;
+        for (const Band::PartCells& cells : cells_) {
+            outgoing.push_back(cells.rim.size() * arrays.size() * sizeof(Real));
+            incoming.push_back(cells.ghosts.size() * arrays.size() * sizeof(Real));
+        }
+        messages_.resize(outgoing, incoming);
+        for (std::size_t k = 0; k < cells_.size(); ++k)
+            for_each_value(cells_[k].rim, arrays, threads,
+                           [&, message = reinterpret_cast<Real*>(messages_.outgoing(k))](
+                               std::int64_t at, Real& value) { message[at] = value; });
+        messages_.start();
+    }
+
+    void finish(Arrays arrays, int threads) {
+        messages_.finish();
+        for (std::size_t k = 0; k < cells_.size(); ++k)
+            for_each_value(cells_[k].ghosts, arrays, threads,
+                           [&, message = reinterpret_cast<const Real*>(messages_.incoming(k))](
+                               std::int64_t at, Real& value) { value = message[at]; });
+    }
+
+private:
+    static void append(const std::vector<std::int32_t>& more, std::vector<std::int32_t>& list) {
+        list.insert(list.end(), more.begin(), more.end());
+    }
+
+    /// body(place in the message, value), array by array.
+    template <class Body>
+    static void for_each_value(const std::vector<std::int32_t>& cells, Arrays arrays, int threads,
+                               const Body& body) {
+        const auto count = static_cast<std::int64_t>(cells.size());
+        for_each_block(count, threads, [&](int, std::int64_t begin, std::int64_t end) {
+            std::int64_t array_begin = 0;
+            for (const std::span<Real>& array : arrays) {
+                for (std::int64_t k = begin; k < end; ++k)
+                    body(array_begin + k,
+                         array[static_cast<std::size_t>(cells[static_cast<std::size_t>(k)])]);
+                array_begin += count;
+            }
+        });
+    }
+
+    const Neighbourhood& neighbourhood_;
+    Messages messages_;
+    std::vector<Band::PartCells> cells_; ///< per neighbour
+};
+
+template <class Real>
+std::vector<ForeignSeed> BandHalo<Real>::exchange_seeds(const std::vector<BandSeed>& own,
+                                                        const Grid& grid) const {
+    const Block& block = neighbourhood_.block();
+    std::vector<std::vector<std::byte>> outgoing;
+    for (const Neighbourhood::Neighbour& neighbour : neighbourhood_.neighbours()) {
+        std::vector<ForeignSeed> near;
+        for (const BandSeed& seed : own) {
+            const Vec3<int> first = grid.tile_origin(seed.tile) + block.own.begin;
+            if (matters_to(neighbour.block, first))
+                near.push_back({first, seed.bits});
+        }
+        const auto bytes = std::as_bytes(std::span(near));
+        outgoing.emplace_back(bytes.begin(), bytes.end());
+    }
+    std::vector<ForeignSeed> foreign;
+    for (const std::vector<std::byte>& bytes : neighbourhood_.exchange(outgoing)) {
+        std::vector<ForeignSeed> seeds(bytes.size() / sizeof(ForeignSeed));
+        std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(std::span(seeds)).begin());
+        foreign.insert(foreign.end(), seeds.begin(), seeds.end());
+    }
+    return foreign;
+}
+
+} // namespace vesica

@@ -1,0 +1,121 @@
+#include "simulation/crew.hpp"
+
+#include "core/input_error.hpp"
+#include "io/case_file.hpp"
+#include "simulation/crew_post.hpp"
+#include "simulation/plan_cost.hpp"
+
+#include <iostream>
+#include <new>
+#include <utility>
+
+namespace vesica {
+
+namespace {
+
+/// The whole box behind the interface of one engine.
+class LeadingEngine final : public Engine {
+public:
+    explicit LeadingEngine(CrewPost& post) : post_(post) {}
+
+    void step() override { post_.all(Order::step); }
+    std::int64_t steps_done() const override { return own().steps_done(); }
+
+    Snapshot snapshot() const override {
+        post_.announce(Order::snapshot);
+        return post_.together([&] { return own().snapshot(); });
+    }
+    DenseField field(std::string_view name) const override {
+        post_.announce(Order::field);
+        const std::string text = post_.ranks().broadcast(std::string(name));
+        return post_.together([&] { return own().field(text); });
+    }
+    std::optional<Trouble> trouble() const override {
+        post_.announce(Order::trouble);
+        return post_.together([&] { return own().trouble(); });
+    }
+
+    EngineState save() const override { return own().save(); }
+    void load(const EngineState&) override {
+        throw RunError("the state of several ranks is loaded from a file, by each its part");
+    }
+
+    std::size_t bytes_allocated() const override {
+        return static_cast<std::size_t>(post_.shared_out().bytes);
+    }
+    double interface_fraction() const override { return post_.shared_out().interface_fraction; }
+    std::string_view instruction_set() const override { return own().instruction_set(); }
+    const StepProfile& profile() const override { return own().profile(); }
+    RankTraffic traffic() const override { return own().traffic(); }
+
+private:
+    Engine& own() const { return post_.engine(); }
+
+    CrewPost& post_;
+};
+
+} // namespace
+
+Crew::Crew(const Ranks& ranks) : post_(std::make_unique<CrewPost>(ranks)), ranks_(ranks) {}
+
+Crew::~Crew() {
+    dismiss(1); // somebody forgot to say how it ended
+}
+
+void Crew::dismiss(int status) {
+    if (std::exchange(dismissed_, true))
+        return;
+    post_->announce(Order::end, status);
+}
+
+int Crew::default_threads() const {
+    post_->announce(Order::threads);
+    return vesica::default_threads(ranks_);
+}
+
+std::unique_ptr<Engine> Crew::build(const Case& what, const CrewSettings& settings,
+                                    const std::optional<std::filesystem::path>& from) {
+    layout_for(what.parameters.size, ranks_.count(), settings.blocks); // refused before anybody is disturbed
+    post_->announce(Order::build);
+    post_->build(resolved_toml(what), what.source_file, settings, from ? from->string() : std::string());
+    return std::make_unique<LeadingEngine>(*post_);
+}
+
+void Crew::load(const std::filesystem::path& checkpoint, const StateChange& change) {
+    post_->announce(Order::load);
+    post_->together([&] { post_->load(checkpoint.string(), change); });
+}
+
+ParallelSummary Crew::report() {
+    return post_->shared_out().summary;
+}
+
+void Crew::write_state(const StateFile& file, const EngineState& own_part) {
+    post_->announce(Order::write);
+    post_->write(file, &own_part);
+}
+
+Digest Crew::digest(const std::filesystem::path& file, std::uint64_t offset, std::uint64_t length,
+                    const std::filesystem::path& target) {
+    post_->announce(Order::digest);
+    return post_->digest(file.string(), offset, length, target.string());
+}
+
+int follow_orders(const Ranks& ranks) {
+    CrewPost post(ranks);
+    try {
+        for (;;) {
+            const auto [order, number] = post.next();
+            if (order == Order::end)
+                return static_cast<int>(number);
+            post.carry_out(order);
+        }
+    } catch (const std::exception& error) {
+        const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+        std::cerr << "vesica: rank " << ranks.rank() << ": " << (memory ? "not enough memory" : error.what())
+                  << std::endl;
+        ranks.abandon(1);
+    }
+}
+
+} // namespace vesica

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "io/run_summary.hpp"
+#include "io/state_file.hpp"
+#include "parallel/block_layout.hpp"
+#include "parallel/ranks.hpp"
+#include "simulation/engine.hpp"
+#include "simulation/start_state.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace vesica {
+
+class CrewPost;
+
+/// What block boundaries are chosen for.
+enum class Balance { cells, interface };
+
+struct CrewSettings {
+    int threads = 0;                 ///< of each rank; 0: its share of the machine's processors
+    std::optional<Vec3<int>> blocks; ///< along each axis; chosen from the box otherwise
+    Balance balance = Balance::interface;
+};
+
+/// The ranks of a run as the first of them sees them: it reads, decides, writes and speaks, and every call
+/// here is an order that the others carry out with it (follow_orders). When the crew goes, so do they.
+class Crew final : public Colleagues {
+public:
+    /// On the rank that leads.
+    explicit Crew(const Ranks& ranks);
+    ~Crew() override;
+
+    const Ranks& ranks() const { return ranks_; }
+
+    /// Threads a rank takes if nobody says otherwise.
+    int default_threads() const;
+
+    /// An engine for the whole box: what it is asked for, all ranks do in their blocks. `from` names the
+    /// checkpoint it will go on from, if any, by whose interfaces the blocks are cut. Throws InputError.
+    std::unique_ptr<Engine> build(const Case& what, const CrewSettings& settings,
+                                  const std::optional<std::filesystem::path>& from);
+
+    /// Takes up a verified checkpoint's state, each rank its part.
+    void load(const std::filesystem::path& checkpoint, const StateChange& change);
+
+    /// How the work was shared out and what travelled, since the engine was built.
+    ParallelSummary report();
+
+    void write_state(const StateFile& file, const EngineState& own_part) override;
+    Digest digest(const std::filesystem::path& file, std::uint64_t offset, std::uint64_t length,
+                  const std::filesystem::path& target) override;
+
+    /// What the others return from follow_orders.
+    void dismiss(int status);
+
+private:
+    std::unique_ptr<CrewPost> post_;
+    Ranks ranks_;
+    bool dismissed_ = false;
+};
+
+/// Does what the rank that leads orders until it dismisses the crew; returns the exit status it names.
+int follow_orders(const Ranks& ranks);
+
+/// The blocks of so many ranks: those given, or the cheapest to exchange. Throws InputError where the box
+/// cannot be cut so.
+BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks);
+
+/// Moves the layout's boundaries so that blocks weigh about the same; the core's cells are counted by plane,
+/// for each axis. A cell of an interface costs several times a cell of fluid.
+void balance_by_interface(BlockLayout& layout, const std::vector<std::uint64_t> (&core_cells)[3]);
+
+} // namespace vesica

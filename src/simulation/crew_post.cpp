@@ -1,0 +1,298 @@
+#include "simulation/crew_post.hpp"
+
+#include "io/case_file.hpp"
+#include "io/posix_file.hpp"
+#include "simulation/engine_setup.hpp"
+#include "simulation/plan_cost.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+namespace vesica {
+
+namespace {
+
+template <class T>
+T broadcast_value(const Ranks& ranks, T value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    ranks.broadcast(std::as_writable_bytes(std::span(&value, 1)));
+    return value;
+}
+
+struct Message {
+    Order order;
+    std::int64_t number;
+};
+
+/// CrewSettings as bytes.
+struct PlainSettings {
+    int threads;
+    Vec3<int> blocks; ///< 0: to be chosen
+    Balance balance;
+};
+
+/// Counts of each plane of the whole box, by axis.
+struct PlaneCounts {
+    std::vector<std::uint64_t> of[3];
+
+    explicit PlaneCounts(const Vec3<int>& box) {
+        for (int a = 0; a < 3; ++a)
+            of[a].assign(static_cast<std::size_t>(box[a]), 0);
+    }
+    void add(const Vec3<int>& cell) {
+        for (int a = 0; a < 3; ++a)
+            ++of[a][static_cast<std::size_t>(cell[a])];
+    }
+    void sum(const Ranks& ranks) {
+        for (auto& counts : of)
+            ranks.sum(counts);
+    }
+};
+
+/// Where the core of the interfaces is, counted by ranks that share the box out evenly.
+PlaneCounts core_of(const Parameters& parameters, const Block& block, const std::string& from, int threads) {
+    PlaneCounts counts(parameters.size);
+    if (!from.empty()) {
+        const std::vector<std::uint8_t> band = read_band(from, block.own);
+        std::size_t at = 0;
+        for (int z = 0; z < block.own.size.z; ++z)
+            for (int y = 0; y < block.own.size.y; ++y)
+                for (int x = 0; x < block.own.size.x; ++x)
+                    if ((band[at++] & 1) != 0)
+                        counts.add(block.own.begin + Vec3<int>{x, y, z});
+        return counts;
+    }
+    const std::shared_ptr<const InitialColours> colours = initial_colours(parameters, block, threads);
+    if (colours == nullptr)
+        return counts;
+    const Grid grid(block.own.size);
+    for (const Band::Seed& seed : colours->core()) {
+        const Vec3<int> first = grid.tile_origin(seed.tile) + block.own.begin;
+        for (int k = 0; k < Grid::tile; ++k)
+            if ((seed.bits >> k & 1) != 0)
+                counts.add(first + Vec3<int>{k, 0, 0});
+    }
+    return counts;
+}
+
+/// A plane's neighbours within the band's reach have a share in its core.
+std::vector<double> band_cells(const std::vector<std::uint64_t>& core) {
+    constexpr int reach = Band::outermost;
+    constexpr double band_per_core = 3.0; // cells of the band per cell of its core
+    const auto planes = static_cast<int>(core.size());
+    std::vector<double> cells(core.size(), 0.0);
+    for (int plane = 0; plane < planes; ++plane)
+        for (int away = -reach; away <= reach; ++away) {
+            const int other = ((plane + away) % planes + planes) % planes;
+            cells[static_cast<std::size_t>(other)] +=
+                band_per_core / (2 * reach + 1) * static_cast<double>(core[static_cast<std::size_t>(plane)]);
+        }
+    return cells;
+}
+
+} // namespace
+
+BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks) {
+    const std::string size = fmt::format("{} x {} x {}", box.x, box.y, box.z);
+    if (blocks) {
+        const std::int64_t wanted = std::int64_t{blocks->x} * blocks->y * blocks->z;
+        const std::string given = fmt::format("--blocks is {},{},{}", blocks->x, blocks->y, blocks->z);
+        if (wanted != ranks)
+            throw InputError(fmt::format("{}, {} blocks in all; expected one for each of the {} ranks; try "
+                                         "without it, or mpirun -n {}",
+                                         given, wanted, ranks, wanted));
+        if (!fits(box, *blocks))
+            throw InputError(fmt::format("{}; expected blocks of at least {} cells along each axis that is "
+                                         "cut, in a box of {}; try without it",
+                                         given, BlockLayout::narrowest, size));
+        return {box, *blocks};
+    }
+    const std::optional<Vec3<int>> chosen = choose_blocks(box, ranks);
+    if (!chosen)
+        throw InputError(
+            fmt::format("lattice.size is {}; expected a box that {} ranks can share in blocks of "
+                        "at least {} cells along each axis; try mpirun -n {}",
+                        size, ranks, BlockLayout::narrowest, most_blocks(box, ranks)));
+    return {box, *chosen};
+}
+
+void balance_by_interface(BlockLayout& layout, const std::vector<std::uint64_t> (&core_cells)[3]) {
+    constexpr double cost = 4.0; // what a cell of the band costs more, in cells of fluid
+    const double volume = static_cast<double>(CellBox{{}, layout.box()}.volume());
+    for (int a = 0; a < 3; ++a) {
+        std::vector<double> weight = band_cells(core_cells[a]);
+        for (double& cells : weight)
+            cells = cells * cost + volume / layout.box()[a];
+        layout.balance(a, weight);
+    }
+}
+
+void CrewPost::announce(Order order, std::int64_t number) const {
+    broadcast_value(ranks_, Message{order, number});
+}
+
+std::pair<Order, std::int64_t> CrewPost::next() const {
+    const Message message = broadcast_value(ranks_, Message{});
+    return {message.order, message.number};
+}
+
+void CrewPost::carry_out(Order order) {
+    switch (order) {
+    case Order::build:
+        try {
+            build({}, {}, {}, {});
+        } catch (const InputError&) {
+            // The rank that leads has found the same, and tells the user.
+        }
+        break;
+    case Order::load:
+        load({}, {});
+        break;
+    case Order::step:
+        engine_->step();
+        break;
+    case Order::snapshot:
+        engine_->snapshot();
+        break;
+    case Order::field:
+        engine_->field(ranks_.broadcast(std::string()));
+        break;
+    case Order::trouble:
+        engine_->trouble();
+        break;
+    case Order::write:
+        write({}, nullptr);
+        break;
+    case Order::digest:
+        digest({}, 0, 0, {});
+        break;
+    case Order::threads:
+        default_threads(ranks_);
+        break;
+    case Order::report:
+        share_report();
+        break;
+    case Order::end:
+        break;
+    }
+}
+
+void CrewPost::build(const std::string& case_text, const std::string& name, const CrewSettings& settings,
+                     const std::string& from) {
+    // All read the same text, so that all compute with the same numbers.
+    const std::string text = ranks_.broadcast(case_text);
+    const Case what = read_case_text(text, ranks_.broadcast(name));
+    const std::string checkpoint = ranks_.broadcast(from);
+    const PlainSettings plain = broadcast_value(
+        ranks_, PlainSettings{settings.threads, settings.blocks.value_or(Vec3<int>{}), settings.balance});
+    const int threads = plain.threads > 0 ? plain.threads : default_threads(ranks_);
+    const Parameters& parameters = what.parameters;
+    BlockLayout layout = layout_for(parameters.size, ranks_.count(),
+                                    plain.blocks.x > 0 ? std::optional(plain.blocks) : std::nullopt);
+    if (plain.balance == Balance::interface && !parameters.vesicles.empty()) {
+        const Neighbourhood even(ranks_, layout);
+        PlaneCounts core = core_of(parameters, even.block(), checkpoint, threads);
+        core.sum(ranks_);
+        balance_by_interface(layout, core.of);
+    }
+    blocks_ = layout.blocks();
+    neighbourhood_ = std::make_shared<const Neighbourhood>(ranks_, layout);
+    engine_ = make_engine(parameters, threads, neighbourhood_);
+}
+
+void CrewPost::load(const std::string& checkpoint, const StateChange& change) {
+    const std::string path = ranks_.broadcast(checkpoint);
+    const StateChange wanted = broadcast_value(ranks_, change);
+    EngineState state = read_state(path, neighbourhood_->block().own);
+    wanted.apply(state);
+    engine_->load(state);
+}
+
+void CrewPost::write(const StateFile& file, const EngineState* own_part) {
+    StateFile places;
+    places.temporary = ranks_.broadcast(file.temporary.string());
+    places.target = ranks_.broadcast(file.target.string());
+    const auto offsets = broadcast_value(ranks_, std::array{file.populations, file.minority, file.band});
+    places.populations = offsets[0];
+    places.minority = offsets[1];
+    places.band = offsets[2];
+    places.float_populations = broadcast_value(ranks_, file.float_populations);
+    places.float_minority = broadcast_value(ranks_, file.float_minority);
+    write_state(places, own_part != nullptr ? *own_part : engine_->save(), ranks_);
+}
+
+/// Each rank digests its share of the blocks; the rank that leads puts them together.
+Digest CrewPost::digest(const std::string& file, std::uint64_t offset, std::uint64_t length,
+                        const std::string& target) {
+    const std::string path = ranks_.broadcast(file);
+    const std::string name = ranks_.broadcast(target);
+    const auto range = broadcast_value(ranks_, std::array{offset, length});
+    const std::uint64_t blocks = digest_blocks(range[1]);
+    const auto ranks = static_cast<std::uint64_t>(ranks_.count());
+    const auto rank = static_cast<std::uint64_t>(ranks_.rank());
+    std::vector<Digest> own;
+    std::string failure;
+    try {
+        own = digests_of_blocks(open_file(path, O_RDONLY, "cannot read"), range[0], range[1],
+                                blocks * rank / ranks, blocks * (rank + 1) / ranks, name);
+    } catch (const RunError& error) {
+        failure = error.what();
+    }
+    const auto failures = ranks_.gather(std::as_bytes(std::span(failure)));
+    const auto parts = ranks_.gather(std::as_bytes(std::span(own)));
+    for (const auto& reason : failures)
+        if (!reason.empty())
+            throw RunError(std::string(reinterpret_cast<const char*>(reason.data()), reason.size()));
+    std::vector<Digest> all;
+    for (const auto& part : parts) {
+        const std::size_t before = all.size();
+        all.resize(before + part.size() / sizeof(Digest));
+        std::copy(part.begin(), part.end(), std::as_writable_bytes(std::span(all).subspan(before)).begin());
+    }
+    return combine_digests(all);
+}
+
+SharedOut CrewPost::shared_out() {
+    announce(Order::report);
+    return share_report();
+}
+
+SharedOut CrewPost::share_report() const {
+    struct Report {
+        ParallelSummary::Rank rank;
+        RankTraffic traffic;
+        double bytes;
+        double band_cells;
+    };
+    const StepProfile& profile = engine_->profile();
+    Report own{};
+    own.rank.block = neighbourhood_->block().own;
+    own.rank.waiting = profile.of(StepPart::waiting);
+    own.rank.working = profile.total() - own.rank.waiting;
+    const double cells = static_cast<double>(own.rank.block.volume());
+    own.rank.interface_cells = static_cast<std::int64_t>(std::llround(engine_->interface_fraction() * cells));
+    own.traffic = engine_->traffic();
+    own.bytes = static_cast<double>(engine_->bytes_allocated());
+    SharedOut all;
+    all.summary.blocks = blocks_;
+    all.summary.steps = profile.steps;
+    std::int64_t interface_cells = 0;
+    for (const Report& report : ranks_.gather_all(own)) {
+        all.summary.ranks.push_back(report.rank);
+        all.summary.population_messages += report.traffic.population_messages;
+        all.summary.population_bytes += report.traffic.population_bytes;
+        all.summary.band_messages += report.traffic.band_messages;
+        all.summary.band_bytes += report.traffic.band_bytes;
+        all.bytes += report.bytes;
+        interface_cells += report.rank.interface_cells;
+    }
+    all.interface_fraction = static_cast<double>(interface_cells) /
+                             static_cast<double>(CellBox{{}, neighbourhood_->block().box}.volume());
+    return all;
+}
+
+} // namespace vesica

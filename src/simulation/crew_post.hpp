@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/input_error.hpp"
+#include "simulation/crew.hpp"
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace vesica {
+
+/// What the rank that leads can order; its arguments follow as broadcasts.
+enum class Order : std::int32_t {
+    build,
+    load,
+    step,
+    snapshot,
+    field,
+    trouble,
+    write,
+    digest,
+    threads,
+    report,
+    end,
+};
+
+/// How the work is shared out at present, all ranks together.
+struct SharedOut {
+    ParallelSummary summary;
+    double bytes = 0.0;
+    double interface_fraction = 0.0;
+};
+
+/// One rank's place in a crew: its engine, and what it does on each order. The rank that leads announces an
+/// order and carries it out; the others wait for the next.
+class CrewPost {
+public:
+    explicit CrewPost(const Ranks& ranks) : ranks_(ranks) {}
+
+    const Ranks& ranks() const { return ranks_; }
+    Engine& engine() const { return *engine_; }
+
+    /// What one rank fails to do in the middle of an order would leave the others waiting for ever.
+    template <class Body>
+    auto together(const Body& body) const {
+        try {
+            return body();
+        } catch (const std::exception& error) {
+            const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+            std::cerr << "vesica: " << (memory ? "not enough memory" : error.what()) << std::endl;
+            ranks_.abandon(1);
+        }
+    }
+
+    void announce(Order order, std::int64_t number = 0) const;
+    std::pair<Order, std::int64_t> next() const;
+
+    /// On the ranks that follow; the arguments come with the order.
+    void carry_out(Order order);
+
+    void all(Order order) {
+        announce(order);
+        together([&] { carry_out(order); });
+    }
+
+    /// Both sides of the orders that have arguments: those of the rank that leads count.
+    void build(const std::string& case_text, const std::string& name, const CrewSettings& settings,
+               const std::string& from);
+    void load(const std::string& checkpoint, const StateChange& change);
+    void write(const StateFile& file, const EngineState* own_part);
+    Digest digest(const std::string& file, std::uint64_t offset, std::uint64_t length,
+                  const std::string& target);
+    SharedOut shared_out();
+
+private:
+    SharedOut share_report() const;
+
+    Ranks ranks_;
+    Vec3<int> blocks_{};
+    std::shared_ptr<const Neighbourhood> neighbourhood_;
+    std::unique_ptr<Engine> engine_;
+};
+
+} // namespace vesica
