@@ -86,7 +86,7 @@ void add_kernel(const std::string& name, const char* isa_name, const Vec3<int>& 
         benchmark_name<Real>(name, isa_name, cells).c_str(), [=](benchmark::State& state) {
             Surroundings<Real>& here = surroundings<Real>(size);
             for (auto _ : state) {
-                for_each_run<Real>(here.band(), Band::outermost, 0,
+                for_each_run<Real>(here.band(), here.band().of_level(Band::outermost), 0,
                                    static_cast<std::int64_t>(here.band().tiles().size()),
                                    [&](const auto& t, std::size_t) { kernel(here, t); });
                 benchmark::ClobberMemory();

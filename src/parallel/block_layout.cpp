@@ -11,27 +11,42 @@ namespace {
 
 constexpr int narrowest = BlockLayout::narrowest;
 
-/// The leftmost cuts with which no slab is heavier than `limit`; empty if there are none. sums[k] is the
-/// weight of the first k planes.
+/// Cuts with which no slab is heavier than `limit`; empty if there are none. sums[k] is the weight of the
+/// first k planes.
 std::vector<int> cuts_below(const std::vector<double>& sums, int blocks, double limit) {
     const int planes = static_cast<int>(sums.size()) - 1;
-    std::vector<int> cuts{0};
+    const auto at = [](int k) {
+        return static_cast<std::size_t>(k);
+    };
+    // before[k][end]: where slab k can begin if it ends there and all before it are light enough; -1:
+    // nowhere.
+    std::vector<std::vector<int>> before(at(blocks), std::vector<int>(sums.size(), -1));
     for (int k = 0; k < blocks; ++k) {
-        const int begin = cuts.back();
-        const int latest = planes - narrowest * (blocks - 1 - k);
-        int end = begin + narrowest;
-        if (end > latest)
-            return {};
-        const auto weight = [&](int to) {
-            return sums[static_cast<std::size_t>(to)] - sums[static_cast<std::size_t>(begin)];
-        };
-        if (weight(end) > limit)
-            return {};
-        while (end < latest && weight(end + 1) <= limit)
-            ++end;
-        cuts.push_back(end);
+        int lightest = 0; // the farthest begin that is light enough, by end
+        int nearest = -1; // the last begin that slabs before can reach
+        int looked_at = -1;
+        for (int end = narrowest; end <= planes; ++end) {
+            while (looked_at < end - narrowest) {
+                ++looked_at;
+                const bool reached = k == 0 ? looked_at == 0 : before[at(k - 1)][at(looked_at)] >= 0;
+                if (reached)
+                    nearest = looked_at;
+            }
+            while (sums[at(end)] - sums[at(lightest)] > limit)
+                ++lightest;
+            if (nearest >= lightest)
+                before[at(k)][at(end)] = nearest;
+        }
     }
-    return cuts.back() == planes ? cuts : std::vector<int>{};
+    std::vector<int> cuts{planes};
+    for (int k = blocks - 1; k >= 0; --k) {
+        const int begin = before[at(k)][at(cuts.back())];
+        if (begin < 0)
+            return {};
+        cuts.push_back(begin);
+    }
+    std::reverse(cuts.begin(), cuts.end());
+    return cuts;
 }
 
 } // namespace

@@ -201,7 +201,8 @@ TEST_CASE("a sealed file with foreign content is refused, not believed") {
     std::string foreign(seal_bytes, '\0');
     foreign += "not HDF5 at all";
     file.write(foreign);
-    seal(file, "foreign");
+    Colleagues nobody;
+    seal(file, "foreign", nobody);
     file.commit();
     REQUIRE_THAT(refusal(scratch / "a.h5"),
                  Catch::EndsWith("a.h5: cannot open as HDF5: file signature not found"));

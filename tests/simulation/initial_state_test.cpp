@@ -31,7 +31,7 @@ TEST_CASE("the colours of a cell follow the nearest of all surfaces and their im
     const double beta = 0.67;
     const double cutoff = 1e-2;
     const auto shapes = close_and_tilted();
-    const InitialColours colours(grid, shapes, beta, cutoff, 1);
+    const InitialColours colours(Block::whole(grid.size()), shapes, beta, cutoff, 1);
     const Vec3<int> n = grid.size();
     const double reach = std::atanh(std::sqrt(1.0 - cutoff)) / beta;
     int between = 0; // cells whose nearest surface is not that of the nearest bounding sphere
@@ -84,8 +84,8 @@ TEST_CASE("the colours of a cell follow the nearest of all surfaces and their im
 
 TEST_CASE("the colours do not depend on the threads that found them") {
     const Grid grid({40, 36, 44});
-    const InitialColours one(grid, close_and_tilted(), 0.67, 1e-2, 1);
-    const InitialColours three(grid, close_and_tilted(), 0.67, 1e-2, 3);
+    const InitialColours one(Block::whole(grid.size()), close_and_tilted(), 0.67, 1e-2, 1);
+    const InitialColours three(Block::whole(grid.size()), close_and_tilted(), 0.67, 1e-2, 3);
     CHECK(one.inside() == three.inside());
     REQUIRE(one.core().size() == three.core().size());
     for (std::size_t k = 0; k < one.core().size(); ++k) {

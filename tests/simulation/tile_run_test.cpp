@@ -62,7 +62,7 @@ TEST_CASE("tiles in pairs are the tiles one by one: each once, with the same cel
                 }
                 pairs += run.count == 2 ? 1 : 0;
             };
-            for_each_run<float, 2>(band, level, begin, count, compare);
+            for_each_run<float, 2>(band, band.of_level(level), begin, count, compare);
             const std::vector<std::int32_t>& list = band.of_level(level);
             CHECK(std::equal(visited.begin(), visited.end(), list.begin() + begin, list.end()));
             CHECK(4 * pairs > static_cast<int>(visited.size()) / 4);
@@ -75,7 +75,7 @@ TEST_CASE("what is stored by a pair lies where the tiles find it") {
     std::vector<float> memory(static_cast<std::size_t>(band.compact_size()), -1.0f);
     const std::span<float> values(memory);
     float next = 0.0f;
-    for_each_run<float, 2>(band, 4, 0, static_cast<std::int64_t>(band.of_level(4).size()),
+    for_each_run<float, 2>(band, band.of_level(4), 0, static_cast<std::int64_t>(band.of_level(4).size()),
                            [&]<class Run>(const Run& run, std::size_t) {
                                float lanes[static_cast<std::size_t>(Run::V::width)];
                                for (float& lane : lanes)

@@ -1,0 +1,21 @@
+"""Starts the program on several ranks of one machine, however many processors it has."""
+
+import os
+
+ENVIRONMENT = {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_mpi_yield_when_idle": "1",  # whoever waits lets the others work
+    "OMPI_MCA_hwloc_base_binding_policy": "none",
+    "OMP_WAIT_POLICY": "passive",
+}
+
+
+def environment():
+    return {**os.environ, **ENVIRONMENT}
+
+
+def mpirun(ranks):
+    """The words before the program's."""
+    return ["mpirun", "-n", str(ranks)] if ranks > 1 else []

@@ -1,0 +1,259 @@
+"""One run on several ranks: the same bits, the same files, one voice, and nothing lost when ranks die."""
+
+import hashlib
+import json
+import os
+import random
+import re
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+from tests.cli import ranks
+from tests.cli.program_test import PROGRAM, SMALL, Program
+
+STEPS = 60
+# A deforming vesicle over the box's faces; forty cells are what eight ranks can share.
+CASE = (
+    SMALL.replace("size = [32, 32, 32]", "size = [24, 40, 40]")
+    .replace('shape = "sphere"', 'shape = "spheroid"\naspect = 0.8')
+    .replace("centre = [16, 16, 16]\nradius = 8", "centre = [3, 12, 38]\nradius = 6")
+    .replace("steps = 40", f"steps = {STEPS}")
+    .replace("surfaces = { every = 20 }", 'surfaces = { every = 30 }\nfields = { every = 30, names = ["phase", "velocity"], average = true }')
+    .replace("checkpoint = { every = 20 }", "checkpoint = { every = 10, keep = 2 }")
+)
+
+
+def digest(path):
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+
+
+class Ranks(Program):
+    def setUp(self):
+        super().setUp()
+        self.case.write_text(CASE)
+
+    def vesica_on(self, count, *arguments):
+        """Status, stdout, stderr of the program on so many ranks; mpirun's own words removed."""
+        done = subprocess.run([*ranks.mpirun(count), PROGRAM, *map(str, arguments)], cwd=self.directory, check=False,
+                              capture_output=True, text=True, timeout=300, env=ranks.environment())
+        errors = re.sub(r"(?ms)^-{60,}$.*?^-{60,}$\n?", "", done.stderr)
+        return done.returncode, done.stdout, errors
+
+    def run_on(self, count, target, *arguments):
+        status, out, errors = self.vesica_on(count, "run", self.case, "-o", target, "--threads", 1, *arguments)
+        self.assertEqual(status, 0, errors)
+        return out
+
+    def resume_on(self, count, target, *arguments):
+        status, out, errors = self.vesica_on(count, "resume", target, "--threads", 1, *arguments)
+        self.assertEqual(status, 0, errors)
+        return out
+
+    def outputs(self, target):
+        """Digests of all files whose bytes must not depend on how the run was shared out."""
+        root = self.directory / target
+        files = [path for path in sorted(root.rglob("*")) if path.is_file() and not path.name.startswith(".")
+                 and path.name not in ("summary.json", "log.txt")]
+        self.assertGreater(len(files), 8)
+        return {str(path.relative_to(root)): digest(path) for path in files}
+
+    def summary(self, target):
+        return json.loads((self.directory / target / "summary.json").read_text())
+
+
+class SameBits(Ranks):
+    def test_every_file_is_the_same_on_one_rank_and_on_several(self):
+        self.run_on(1, "one")
+        expected = self.outputs("one")
+        for count, arguments in ((2, []), (3, ["--blocks", "1,1,3"]), (4, ["--balance", "cells"]), (8, [])):
+            with self.subTest(ranks=count):
+                out = self.run_on(count, f"on{count}", *arguments)
+                self.assertEqual(self.outputs(f"on{count}"), expected)
+                self.assertIn(f"{count} ranks in", out)
+                self.assertEqual(out.count("done: "), 1)  # one voice
+                self.assertEqual(self.summary(f"on{count}")["machine"]["ranks"], count)
+
+    def test_a_run_is_resumed_on_other_numbers_of_ranks(self):
+        self.run_on(1, "whole")
+        expected = self.outputs("whole")
+        for counts in ((1, 4, 2), (3, 1, 8)):
+            with self.subTest(ranks=counts):
+                target = "-".join(map(str, counts))
+                self.run_on(counts[0], target, "--steps", 17)
+                self.resume_on(counts[1], target, "--steps", 41)
+                self.resume_on(counts[2], target, "--steps", STEPS)
+                self.assertEqual(self.outputs(target), expected)
+
+    def test_a_case_starts_from_an_earlier_state_on_any_ranks(self):
+        self.run_on(2, "rest", "--steps", 20)
+        self.case.write_text(CASE + '[initial]\ncheckpoint = "rest"\n')
+        self.run_on(1, "one")
+        self.run_on(4, "four")
+        one, four = self.outputs("one"), self.outputs("four")
+        self.assertEqual(four, one)
+
+
+class Report(Ranks):
+    def test_what_travels_is_what_must(self):
+        """By hand: of nineteen populations five cross each face, and nothing else does."""
+        for precision, width in (("double", 8), ("single", 4)):
+            out = f"fluid-{precision}"
+            case = self.directory / "fluid.toml"
+            case.write_text("[lattice]\nsize = [20, 24, 30]\n[fluid]\nkinematic_viscosity = 0.1\n[run]\nsteps = 10\n"
+                            f'[numerics]\nprecision = "{precision}"\n')
+            status, _, errors = self.vesica_on(2, "run", case, "-o", out, "--blocks", "1,1,2", "--threads", 1)
+            self.assertEqual(status, 0, errors)
+            parallel = self.summary(out)["parallel"]
+            # Two ranks, two faces each, both towards the other rank: one message each way a step.
+            self.assertEqual(parallel["population_bytes_per_step"], 2 * 2 * 5 * 20 * 24 * width)
+            self.assertEqual(parallel["population_messages_per_step"], 2)
+            self.assertEqual(parallel["band_bytes_per_step"], 0)
+
+    def test_how_the_work_was_shared_out_is_told(self):
+        self.run_on(4, "balanced")
+        parallel = self.summary("balanced")["parallel"]
+        self.assertEqual(sum(rank["size"][0] * rank["size"][1] * rank["size"][2] for rank in parallel["ranks"]),
+                         24 * 40 * 40)
+        self.assertGreater(parallel["imbalance"], 1.0)
+        self.assertGreater(parallel["band_bytes_per_step"], 0)
+        for rank in parallel["ranks"]:
+            self.assertGreater(rank["working_seconds"], 0)
+
+    def test_blocks_are_cut_by_the_work_in_them(self):
+        sizes = {}
+        for balance in ("cells", "interface"):
+            self.run_on(3, balance, "--balance", balance, "--blocks", "1,3,1", "--set", "lattice.size=[24, 90, 24]",
+                        "--set", "vesicle[0].centre=[12, 45, 12]", "--steps", 2)
+            sizes[balance] = [rank["size"][1] for rank in self.summary(balance)["parallel"]["ranks"]]
+        self.assertEqual(sizes["cells"], [30, 30, 30])
+        self.assertLess(sizes["interface"][1], 25)  # the one in the middle holds the vesicle
+        # On resume they are cut by where the interface is then.
+        self.resume_on(2, "cells", "--steps", 4, "--blocks", "1,2,1", "--balance", "interface")
+        halves = [rank["size"][1] for rank in self.summary("cells")["parallel"]["ranks"]]
+        self.assertLess(abs(halves[0] - 45), 6)
+
+
+class Refused(Ranks):
+    def refused_on(self, count, *arguments, saying):
+        status, _, errors = self.vesica_on(count, *arguments)
+        self.assertEqual(status, 2, errors)
+        for part in saying:
+            self.assertIn(part, errors)
+        self.assertEqual(errors.count(saying[0]), 1)  # one voice
+        self.assertFalse((self.directory / "target").exists())
+
+    def test_blocks_that_do_not_fit(self):
+        run = ("run", self.case, "-o", "target")
+        self.refused_on(2, *run, "--blocks", "1,1,3", saying=["--blocks is 1,1,3, 3 blocks in all", "mpirun -n 3"])
+        self.refused_on(3, *run, "--blocks", "3,1,1", saying=["--blocks is 3,1,1; expected blocks of at least 10"])
+        self.refused_on(3, *run, "--set", "lattice.size=[12, 12, 20]",
+                        saying=["lattice.size is 12 x 12 x 20; expected a box that 3 ranks can share", "mpirun -n 2"])
+        self.refused_on(2, *run, "--blocks", "two", saying=["--blocks is two; expected three whole numbers"])
+        self.refused_on(1, *run, "--blocks", "1,1,2", saying=["--blocks is 1,1,2, 2 blocks in all"])
+        self.refused_on(1, *run, "--balance", "work", saying=["--balance is work; expected cells or interface"])
+
+    def test_an_error_in_the_case_is_told_once(self):
+        self.case.write_text(CASE.replace("kinematic_viscosity", "viscosity"))
+        self.refused_on(3, "run", self.case, "-o", "target", saying=["small.toml:5:1:", "viscosity"])
+
+    def test_other_commands_speak_with_one_voice(self):
+        status, out, errors = self.vesica_on(2, "--version")
+        self.assertEqual((status, errors), (0, ""))
+        self.assertEqual(len(out.splitlines()), 1)
+
+
+class Faults(Ranks):
+    def start(self, count, *arguments):
+        return subprocess.Popen([*ranks.mpirun(count), PROGRAM, *map(str, arguments), "--threads", "1"],
+                                cwd=self.directory, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                env=ranks.environment(), start_new_session=True)
+
+    def processes(self, launcher):
+        """The ranks mpirun has started, by their numbers."""
+        found = []
+        for entry in Path("/proc").iterdir():
+            if not entry.name.isdigit():
+                continue
+            try:
+                words = (entry / "cmdline").read_bytes().split(b"\0")
+                parent = int((entry / "stat").read_text().rsplit(")", 1)[1].split()[1])
+            except (OSError, IndexError, ValueError):
+                continue
+            if words[0] == PROGRAM.encode() and parent == launcher.pid:
+                found.append(int(entry.name))
+        return sorted(found)
+
+    def wait_for(self, condition, running):
+        deadline = time.monotonic() + 60
+        while not condition() and running.poll() is None:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.002)
+
+    def checkpoints(self):
+        return sorted((self.directory / "target/checkpoints").glob("step_*.h5"))
+
+    def test_killed_ranks_at_random_moments_leave_no_trace(self):
+        """One rank, any of them, or all, ten times each: what is resumed ends as if nothing had been."""
+        steps = 400
+        self.run_on(1, "whole", "--steps", steps)
+        moments = random.Random(5)
+        running = self.start(2, "run", self.case, "-o", "target", "--steps", steps)
+        kills = 0
+        while kills < 20:
+            self.wait_for(self.checkpoints, running)
+            time.sleep(moments.uniform(0.0, 0.1))
+            victims = self.processes(running)
+            if running.poll() is not None or not victims:
+                running.communicate(timeout=60)
+                self.assertEqual(running.returncode, 0)
+                break
+            if kills % 2 == 0:
+                victims = [moments.choice(victims)]
+            for victim in victims:
+                try:
+                    os.kill(victim, signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+            running.communicate(timeout=60)
+            kills += 1
+            running = self.start(1 + kills % 3, "resume", "target", "--steps", steps)
+        _, errors = running.communicate(timeout=120)
+        self.assertEqual(running.returncode, 0, errors)
+        self.assertGreaterEqual(kills, 10)
+        self.assertEqual(self.outputs("target"), self.outputs("whole"))
+
+    def test_a_signal_to_mpirun_stops_the_run_with_a_checkpoint(self):
+        self.run_on(1, "whole")
+        running = self.start(2, "run", self.case, "-o", "target", "--steps", 100000)
+        self.wait_for(self.checkpoints, running)
+        running.send_signal(signal.SIGUSR1)
+        out, errors = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 3, errors)
+        self.assertIn("SIGUSR1 received", out + errors)
+        summary = self.summary("target")
+        self.assertEqual(summary["end"], "stopped")
+        self.assertEqual(self.checkpoints()[-1].name, f"step_{summary['last_step']:09}.h5")
+        rows = [int(row.split(",")[0])
+                for row in (self.directory / "target/metrics.csv").read_text().splitlines()[1:]]
+        self.assertEqual(rows, list(range(0, summary["last_step"] + 1, 10)))
+
+    def test_a_directory_that_vanishes_ends_all_ranks_with_a_word(self):
+        running = self.start(2, "run", self.case, "-o", "target", "--steps", 100000)
+        self.wait_for(self.checkpoints, running)
+        os.rename(self.directory / "target", self.directory / "elsewhere")
+        _, errors = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 1, errors)
+        self.assertRegex(errors, r"vesica: .*target")
+
+    def test_a_damaged_checkpoint_is_named_and_the_older_one_serves(self):
+        self.run_on(1, "whole")
+        self.run_on(2, "target", "--steps", 30)
+        newest = self.checkpoints()[-1]
+        content = bytearray(newest.read_bytes())
+        content[len(content) // 2] ^= 4
+        newest.write_bytes(content)
+        self.resume_on(2, "target", "--steps", STEPS)
+        self.assertIn(newest.name, (self.directory / "target/log.txt").read_text())
+        self.assertEqual(self.outputs("target"), self.outputs("whole"))

@@ -1,0 +1,198 @@
+#include "simulation/engine_cases.hpp"
+
+#include "lattice/velocity_set.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <span>
+
+using namespace vesica;
+using namespace vesica::test;
+
+namespace {
+
+/// The state with all fluid moving as one.
+EngineState in_motion(EngineState state, const Vec3<double>& u) {
+    for (int i = 0; i < direction_count; ++i) {
+        const double cu = velocity(i, 0) * u.x + velocity(i, 1) * u.y + velocity(i, 2) * u.z;
+        const double more = weight(i) * (3.0 * cu + 4.5 * cu * cu - 1.5 * dot(u, u));
+        for (double& value : state.populations[static_cast<std::size_t>(i)])
+            value += more;
+    }
+    if (state.precision == Precision::single_precision)
+        for (auto& population : state.populations)
+            for (double& value : population)
+                value = static_cast<double>(static_cast<float>(value));
+    return state;
+}
+
+template <class T>
+std::vector<T> cut_out(const std::vector<T>& whole, const Vec3<int>& box, const CellBox& part) {
+    std::vector<T> cells;
+    for (int z = 0; z < part.size.z; ++z)
+        for (int y = 0; y < part.size.y; ++y)
+            for (int x = 0; x < part.size.x; ++x)
+                cells.push_back(whole[static_cast<std::size_t>(
+                    part.begin.x + x + box.x * (part.begin.y + y + box.y * (part.begin.z + z)))]);
+    return cells;
+}
+
+EngineState part_of(const EngineState& whole, const CellBox& part) {
+    EngineState state = whole;
+    state.part = part;
+    for (auto& population : state.populations)
+        population = cut_out(population, whole.size, part);
+    state.minority = cut_out(whole.minority, whole.size, part);
+    state.band = cut_out(whole.band, whole.size, part);
+    return state;
+}
+
+/// The engine of this rank's block, and one for the whole box on every rank.
+struct Both {
+    std::shared_ptr<const Neighbourhood> neighbourhood;
+    std::unique_ptr<Engine> shared;
+    std::unique_ptr<Engine> alone;
+
+    Both(const Parameters& parameters, BlockLayout layout, int threads)
+        : neighbourhood(std::make_shared<const Neighbourhood>(Ranks::all(), layout)),
+          shared(make_engine(parameters, threads, neighbourhood)),
+          alone(make_engine(parameters, 1)) {}
+
+    const CellBox& own() const { return neighbourhood->block().own; }
+    bool agree() const { return same_state(shared->save(), part_of(alone->save(), own())); }
+};
+
+BlockLayout layout_of(const Vec3<int>& box) {
+    const int count = Ranks::all().count();
+    return {box, *choose_blocks(box, count)};
+}
+
+bool same_snapshots(const Snapshot& a, const Snapshot& b) {
+    if (a.step != b.step || a.max_speed != b.max_speed || a.vesicles.size() != b.vesicles.size())
+        return false;
+    for (std::size_t v = 0; v < a.vesicles.size(); ++v) {
+        const VesicleSnapshot& s = a.vesicles[v];
+        const VesicleSnapshot& t = b.vesicles[v];
+        const auto same_cell = [](const InterfaceCell& p, const InterfaceCell& q) {
+            const bool same_geometry =
+                !p.has_geometry || (p.n == q.n && p.H == q.H && p.K == q.K && p.J == q.J);
+            return p.position == q.position && p.phi == q.phi && p.s == q.s && p.u == q.u &&
+                   p.density == q.density && p.bending_force == q.bending_force &&
+                   p.has_geometry == q.has_geometry && same_geometry;
+        };
+        const auto same_span = [](const InsideSpan& p, const InsideSpan& q) {
+            return p.begin == q.begin && p.count == q.count && p.y == q.y && p.z == q.z;
+        };
+        if (!std::equal(s.cells.begin(), s.cells.end(), t.cells.begin(), t.cells.end(), same_cell) ||
+            !std::equal(s.inside.begin(), s.inside.end(), t.inside.begin(), t.inside.end(), same_span) ||
+            s.colour_mass != t.colour_mass || !(s.momentum == t.momentum) || s.tension != t.tension)
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+TEST_CASE(
+    "a deforming vesicle that is carried across blocks and periodic faces has the same bits on any ranks") {
+    const Precision precision = GENERATE(Precision::double_precision, Precision::single_precision);
+    Parameters parameters = deforming_spheroid();
+    parameters.numerics.precision = precision;
+    parameters.size = {40, 42, 41};
+    parameters.vesicles.front().centre = {33.0, 35.0, 9.0};
+    parameters.types.front().area.constraint = MultiplierConstraint{};
+    const int threads = precision == Precision::double_precision ? 1 : 2;
+    const Both engines(parameters, layout_of(parameters.size), threads);
+    REQUIRE(engines.agree());
+    const EngineState start = in_motion(engines.alone->save(), {0.04, 0.03, 0.05});
+    engines.alone->load(start);
+    engines.shared->load(part_of(start, engines.own()));
+    const Snapshot before = engines.alone->snapshot();
+    for (int block = 0; block < 5; ++block) {
+        run(*engines.alone, 100);
+        run(*engines.shared, 100);
+        INFO("rank " << Ranks::all().rank() << ", after " << 100 * (block + 1) << " steps");
+        CHECK(engines.agree());
+    }
+    // It went twenty cells and more along each axis: round the box's end and across blocks.
+    const MetricsRow now = metrics_of(*engines.alone);
+    const MetricsRow then = measure(before.vesicles.front(), before, baseline_of(before.vesicles.front(), 0));
+    CHECK(std::abs(std::remainder(now.x - then.x - 20.0, 40.0)) < 1.5);
+    CHECK(engines.shared->profile().of(StepPart::follow) > 0.0); // the band was laid out anew on the way
+}
+
+TEST_CASE("what is measured, drawn and watched on several ranks is what one would say") {
+    Parameters parameters = deforming_spheroid();
+    parameters.size = {44, 40, 42};
+    parameters.vesicles.front().centre = {43.0, 1.0, 40.0}; // over all periodic faces
+    parameters.types.front().viscosity_ratio = 3.0;
+    const Both engines(parameters, layout_of(parameters.size), 1);
+    run(*engines.alone, 21);
+    run(*engines.shared, 21);
+    CHECK(engines.agree());
+    const bool leads = Ranks::all().leads();
+    const Snapshot together = engines.shared->snapshot();
+    if (leads)
+        CHECK(same_snapshots(together, engines.alone->snapshot()));
+    else
+        CHECK(together.vesicles.empty());
+    for (const std::string& name : field_names()) {
+        INFO(name);
+        const DenseField shared = engines.shared->field(name);
+        const DenseField alone = engines.alone->field(name);
+        const bool same = shared.components == alone.components && shared.values == alone.values;
+        CHECK((leads ? same : shared.values.empty()));
+    }
+    CHECK_FALSE(engines.shared->trouble());
+    // A force that is far too large, in the cells of one rank: all must hear of it, in the same words.
+    EngineState broken = engines.alone->save();
+    broken.populations[5][broken.populations[5].size() / 3] = 2.0;
+    engines.alone->load(broken);
+    engines.shared->load(part_of(broken, engines.own()));
+    const std::optional<Trouble> heard = engines.shared->trouble();
+    const std::optional<Trouble> expected = engines.alone->trouble();
+    REQUIRE(heard.has_value());
+    REQUIRE(expected.has_value());
+    CHECK(heard->cell == expected->cell);
+    CHECK(heard->cause == expected->cause);
+    CHECK(heard->vesicle == expected->vesicle);
+}
+
+TEST_CASE("any way of cutting the box gives the same bits") {
+    const int count = Ranks::all().count();
+    Parameters parameters = deforming_spheroid();
+    parameters.size = {83, 30, 34};
+    parameters.vesicles.front().centre = {11.0, 29.0, 16.0};
+    for (int x = 1; x <= count; ++x)
+        for (int y = 1; x * y <= count; ++y) {
+            const Vec3<int> blocks{x, y, count / (x * y)};
+            if (blocks.x * blocks.y * blocks.z != count || !fits(parameters.size, blocks))
+                continue;
+            INFO(blocks.x << " x " << blocks.y << " x " << blocks.z);
+            BlockLayout layout(parameters.size, blocks);
+            std::vector<double> weight(static_cast<std::size_t>(parameters.size.x), 1.0);
+            weight[5] = 20.0;
+            layout.balance(0, weight); // uneven, and within tiles
+            const Both engines(parameters, layout, 1);
+            run(*engines.alone, 16);
+            run(*engines.shared, 16);
+            CHECK(engines.agree());
+        }
+}
+
+TEST_CASE("one fluid needs no band, and an empty block none of its own") {
+    Parameters parameters;
+    parameters.size = {40, 42, 41};
+    const Both engines(parameters, layout_of(parameters.size), 1);
+    EngineState state = engines.alone->save();
+    for (std::size_t cell = 0; cell < state.populations[1].size(); ++cell)
+        state.populations[1][cell] = 1e-3 * static_cast<double>(cell % 7);
+    engines.alone->load(state);
+    engines.shared->load(part_of(state, engines.own()));
+    run(*engines.alone, 25);
+    run(*engines.shared, 25);
+    CHECK(engines.agree());
+    CHECK(engines.shared->traffic().band_messages == 0);
+    CHECK(engines.shared->traffic().population_messages > 0);
+}
