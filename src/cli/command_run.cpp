@@ -1,9 +1,11 @@
 #include "cli/commands.hpp"
 #include "core/input_error.hpp"
 #include "io/case_file.hpp"
+#include "parallel/ranks.hpp"
 #include "simulation/run.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -28,9 +30,20 @@ struct RunArguments {
     Sharing sharing;
 };
 
+/// Processes of another MPI's launcher would each run the whole case.
+void refuse_strangers(const Crew* crew) {
+    if (crew == nullptr && MpiSession::promised() > 1)
+        throw InputError(fmt::format(
+            "this is one of {} processes that a launcher has started, but they do not find each other; "
+            "expected the launcher of the MPI library that vesica is built with; try its mpirun, or srun "
+            "--mpi=pmix, or --threads N without a launcher",
+            MpiSession::promised()));
+}
+
 RunOptions options_of(const std::filesystem::path& directory, int threads, bool profile,
                       const Sharing& sharing, Crew* crew) {
     RunOptions options;
+    refuse_strangers(crew);
     options.crew = crew;
     options.blocks = sharing.blocks;
     options.balance = sharing.balance;

@@ -29,6 +29,16 @@ bool MpiSession::is_launched() {
                        [](const char* name) { return std::getenv(name) != nullptr; });
 }
 
+int MpiSession::promised() {
+    constexpr std::array variables = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE",
+                                      "SLURM_STEP_NUM_TASKS"};
+    int most = 1;
+    for (const char* const name : variables)
+        if (const char* const text = std::getenv(name))
+            most = std::max(most, std::atoi(text));
+    return most;
+}
+
 MpiSession::MpiSession() {
     if (!is_launched())
         return;

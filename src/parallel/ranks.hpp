@@ -21,6 +21,8 @@ public:
 
     /// Whether the launcher's variables are there.
     static bool is_launched();
+    /// How many processes the launcher says it has started; 1 without one.
+    static int promised();
 
 private:
     bool begun_ = false;

@@ -7,6 +7,7 @@
 #include "simulation/engine.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/fluid_step.hpp"
+#include "simulation/layer_geometry.hpp"
 #include "simulation/layer_placement.hpp"
 #include "simulation/layer_transport.hpp"
 #include "simulation/step_profile.hpp"

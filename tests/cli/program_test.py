@@ -110,11 +110,6 @@ class CommandLine(Program):
         self.refused("reproduce", "fig4", "--quick", saying="not available yet")
         self.refused("report", "out", saying="not available yet")
 
-    def test_ranks_are_refused_instead_of_running_the_case_many_times(self):
-        status, _, errors = self.vesica("run", self.case, environment={"OMPI_COMM_WORLD_SIZE": "4"})
-        self.assertEqual(status, 2)
-        self.assertIn("--threads", errors)
-
 
 class Input(Program):
     def test_a_missing_case_file(self):

@@ -186,6 +186,12 @@ class Refused(Ranks):
         self.case.write_text(CASE.replace("kinematic_viscosity", "viscosity"))
         self.refused_on(3, "run", self.case, "-o", "target", saying=["small.toml:5:1:", "viscosity"])
 
+    def test_ranks_that_do_not_find_each_other_do_not_each_run_the_case(self):
+        errors = self.refused("run", self.case, "-o", "target", environment={"SLURM_STEP_NUM_TASKS": "4"},
+                              saying="one of 4 processes that a launcher has started")
+        self.assertIn("srun --mpi=pmix", errors)
+        self.assertFalse((self.directory / "target").exists())
+
     def test_other_commands_speak_with_one_voice(self):
         status, out, errors = self.vesica_on(2, "--version")
         self.assertEqual((status, errors), (0, ""))

@@ -20,13 +20,17 @@ _vesica() {
             mapfile -t COMPREPLY < <(compgen -W "fluid mrt discocyte crowd" -- "$current")
             return
             ;;
-        --set | --threads | --steps | --size | --seconds) return ;;
+        --balance)
+            mapfile -t COMPREPLY < <(compgen -W "cells interface" -- "$current")
+            return
+            ;;
+        --blocks | --set | --threads | --steps | --size | --seconds) return ;;
     esac
     local options="--help"
     case $command in
-        run) options="--output --set --threads --steps --overwrite --profile --accept-soft-membranes --help" ;;
+        run) options="--output --set --threads --steps --overwrite --profile --blocks --balance --accept-soft-membranes --help" ;;
         check) options="--set --threads --model --accept-soft-membranes --help" ;;
-        resume) options="--threads --steps --profile --help" ;;
+        resume) options="--threads --steps --profile --blocks --balance --help" ;;
         new) options="--list --output --help" ;;
         bench) options="--json --threads --size --case --seconds --help" ;;
         info) ;;
