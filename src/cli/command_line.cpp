@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
-#include <new>
+#include <string_view>
 
 namespace vesica {
 
@@ -64,27 +64,6 @@ int parse_and_act(CLI::App& app, Action& action, int argument_count, const char*
 
 namespace {
 
-int lead(int argument_count, const char* const* arguments, Crew* crew);
-
-} // namespace
-
-int command_line(int argument_count, const char* const* arguments) {
-    const MpiSession session;
-    const Ranks ranks = Ranks::all();
-    if (ranks.count() == 1)
-        return lead(argument_count, arguments, nullptr);
-    if (!ranks.leads()) {
-        const StopSignals ignored; // the rank that leads heeds them
-        return follow_orders(ranks);
-    }
-    Crew crew(ranks);
-    const int status = lead(argument_count, arguments, &crew);
-    crew.dismiss(status);
-    return status;
-}
-
-namespace {
-
 int lead(int argument_count, const char* const* arguments, Crew* crew) {
     CLI::App app{
         "Deformable vesicles in viscous flow, with one lattice Boltzmann framework and no surface mesh",
@@ -116,14 +95,36 @@ int lead(int argument_count, const char* const* arguments, Crew* crew) {
         return input_wrong;
     } catch (const RunError& error) {
         std::cerr << "vesica: " << error.what() << '\n';
-    } catch (const std::bad_alloc&) {
-        std::cerr << "vesica: not enough memory\n";
     } catch (const std::exception& error) {
-        std::cerr << "vesica: " << error.what() << '\n';
+        std::cerr << "vesica: " << words_of(error) << '\n';
     }
     return run_failed;
 }
 
 } // namespace
+
+int command_line(int argument_count, const char* const* arguments) {
+    // Only these share their work among ranks; of the others the first process does it alone.
+    const std::string_view command = argument_count > 1 ? arguments[1] : "";
+    if (command != "run" && command != "resume")
+        return MpiSession::promised_rank() > 0 ? 0 : lead(argument_count, arguments, nullptr);
+    try {
+        const MpiSession session;
+        const Ranks ranks = Ranks::all();
+        if (ranks.count() == 1)
+            return lead(argument_count, arguments, nullptr);
+        if (!ranks.leads()) {
+            const StopSignals ignored; // the rank that leads heeds them
+            return follow_orders(ranks);
+        }
+        Crew crew(ranks);
+        const int status = lead(argument_count, arguments, &crew);
+        crew.dismiss(status);
+        return status;
+    } catch (const std::exception& error) {
+        std::cerr << "vesica: " << words_of(error) << '\n';
+        return run_failed;
+    }
+}
 
 } // namespace vesica

@@ -53,7 +53,7 @@ RunOptions options_of(const std::filesystem::path& directory, int threads, bool 
     options.directory = directory;
     options.threads = threads;
     options.out = &std::cout;
-    options.terminal = isatty(STDOUT_FILENO) == 1;
+    options.terminal = crew == nullptr && isatty(STDOUT_FILENO) == 1; // mpirun's terminals may lead anywhere
     return options;
 }
 
@@ -103,8 +103,9 @@ void declare_run(CLI::App& app, Action& action, Crew* crew) {
     declare_soft_membranes(*command, arguments->accept_soft_membranes);
     declare_profile(*command, arguments->profile);
     declare_sharing(*command, arguments->sharing);
-    command->footer(
-        "SIGINT, SIGTERM or SIGUSR1 end the run after the step, with a checkpoint (exit status 3).");
+    command->footer("SIGINT, SIGTERM or SIGUSR1 end the run after the step, with a checkpoint (exit status "
+                    "3). Under mpirun send\n"
+                    "SIGUSR1: it does not leave time after the others.");
     command->callback([&action, arguments, crew] {
         action = [arguments, crew] {
             return run(*arguments, crew);

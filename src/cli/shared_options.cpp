@@ -68,13 +68,15 @@ void declare_sharing(CLI::App& command, Sharing& sharing) {
         .add_option_function<std::string>(
             "--blocks",
             [&sharing](const std::string& text) {
+                constexpr int most_blocks = 100'000;
                 Vec3<int> blocks{};
                 std::size_t begin = 0;
                 for (int a = 0; a < 3; ++a) {
                     const std::size_t end = a < 2 ? text.find(',', begin) : text.size();
                     const char* const last = text.data() + std::min(end, text.size());
                     const auto [stopped, code] = std::from_chars(text.data() + begin, last, blocks[a]);
-                    if (end == std::string::npos || code != std::errc{} || stopped != last || blocks[a] < 1)
+                    if (end == std::string::npos || code != std::errc{} || stopped != last || blocks[a] < 1 ||
+                        blocks[a] > most_blocks)
                         throw InputError(fmt::format("--blocks is {}; expected three whole numbers of blocks "
                                                      "along x, y and z; try --blocks 1,2,2",
                                                      text.empty() ? "empty" : text));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <exception>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -37,5 +39,11 @@ class RunError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
+
+/// What to tell of anything that went wrong.
+inline std::string words_of(const std::exception& error) {
+    const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    return memory ? "not enough memory" : error.what();
+}
 
 } // namespace vesica

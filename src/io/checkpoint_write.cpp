@@ -126,6 +126,7 @@ void write_checkpoint(const Path& path, const Checkpoint& checkpoint, Colleagues
     close_hdf5(file, path);
     for (const PlacedArray& array : structure.small())
         target.write_at(array.offset, array.bytes);
+    synchronise(target.descriptor(), path); // for those who digest it on other machines
     colleagues.write_state(places, state);
     seal(target,
          fmt::format("Vesica {} checkpoint of step {}, HDF5 after {} bytes\n", checkpoint.program_version,

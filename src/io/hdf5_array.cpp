@@ -165,17 +165,19 @@ void read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, v
     hdf5_checked(H5Dread(dataset, memory_type, memory, space, H5P_DEFAULT, values), path, cannot_read);
 }
 
-void read_run(hid_t dataset, hid_t memory_type, hsize_t row, hsize_t first, hsize_t count, void* values,
-              const std::filesystem::path& path) {
-    if (count == 0)
+void read_runs(hid_t dataset, hid_t memory_type, hsize_t row, const Hdf5Runs& runs, void* values,
+               const std::filesystem::path& path) {
+    const hsize_t numbers = runs.count * runs.length;
+    if (numbers == 0)
         return;
     const Hdf5Space space(hdf5_checked(H5Dget_space(dataset), path, cannot_read));
     const bool rows = H5Sget_simple_extent_ndims(space) == 2;
-    const hsize_t start[2] = {rows ? row : first, first};
-    const hsize_t extent[2] = {rows ? 1 : count, count};
-    hdf5_checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, extent, nullptr), path,
-                 cannot_read);
-    const Hdf5Space memory(hdf5_checked(H5Screate_simple(1, &count, nullptr), path, cannot_read));
+    const hsize_t start[2] = {rows ? row : runs.first, runs.first};
+    const hsize_t stride[2] = {rows ? 1 : runs.stride, runs.stride};
+    const hsize_t count[2] = {rows ? 1 : runs.count, runs.count};
+    const hsize_t block[2] = {rows ? 1 : runs.length, runs.length};
+    hdf5_checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, stride, count, block), path, cannot_read);
+    const Hdf5Space memory(hdf5_checked(H5Screate_simple(1, &numbers, nullptr), path, cannot_read));
     hdf5_checked(H5Dread(dataset, memory_type, memory, space, H5P_DEFAULT, values), path, cannot_read);
 }
 

@@ -45,9 +45,17 @@ void write_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, 
 void read_rows(hid_t dataset, hid_t memory_type, hsize_t first, hsize_t count, void* values,
                const std::filesystem::path& path);
 
-/// Reads `count` numbers from the first-th on of a vector, or of row `row` of an array of rows.
-void read_run(hid_t dataset, hid_t memory_type, hsize_t row, hsize_t first, hsize_t count, void* values,
-              const std::filesystem::path& path);
+/// `count` runs of `length` numbers each, `stride` apart.
+struct Hdf5Runs {
+    hsize_t first = 0;
+    hsize_t stride = 1;
+    hsize_t count = 0;
+    hsize_t length = 0;
+};
+
+/// Reads them from a vector, or from row `row` of an array of rows.
+void read_runs(hid_t dataset, hid_t memory_type, hsize_t row, const Hdf5Runs& runs, void* values,
+               const std::filesystem::path& path);
 
 Hdf5Dataset open_array(hid_t parent, const std::string& name, const std::filesystem::path& path);
 std::vector<hsize_t> shape_of(hid_t dataset, const std::filesystem::path& path);

@@ -3,164 +3,89 @@
 #include "core/input_error.hpp"
 #include "io/hdf5_array.hpp"
 #include "io/posix_file.hpp"
-#include "parallel/communicator.hpp"
+#include "parallel/agreement.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <functional>
 #include <span>
-#include <type_traits>
+#include <string_view>
 
 namespace vesica {
 namespace {
 
 using Path = std::filesystem::path;
 
-/// Takes a part of an array of the whole box to its place in the file.
+/// A part of a box that lies in memory plane by plane, as runs of cells that lie in one piece in the whole
+/// box too: body(first cell in the box, first cell in the part, cells).
+template <class Body>
+void for_each_run(const Vec3<int>& box, const CellBox& part, const Body& body) {
+    const bool whole_rows = part.size.x == box.x;
+    const bool whole_planes = whole_rows && part.size.y == box.y;
+    const std::int64_t plane = std::int64_t{part.size.x} * part.size.y;
+    const auto place = [&](int y, int z) {
+        return (std::int64_t{part.begin.z + z} * box.y + part.begin.y + y) * box.x + part.begin.x;
+    };
+    if (whole_planes) {
+        body(place(0, 0), std::int64_t{0}, part.volume());
+        return;
+    }
+    for (int z = 0; z < part.size.z; ++z) {
+        if (whole_rows)
+            body(place(0, z), z * plane, plane);
+        for (int y = 0; y < part.size.y && !whole_rows; ++y)
+            body(place(y, z), z * plane + std::int64_t{y} * part.size.x, std::int64_t{part.size.x});
+    }
+}
+
+/// Takes a rank's part of an array to its places in the file by plain writes. MPI's own collective writes are
+/// not to be trusted with this: Open MPI's have been seen to report success where a rank could not write.
 class PartWriter {
 public:
-    PartWriter() = default;
-    PartWriter(const PartWriter&) = delete;
-    PartWriter& operator=(const PartWriter&) = delete;
-    virtual ~PartWriter() = default;
+    PartWriter(const StateFile& file, const EngineState& state)
+        : target_(file.target),
+          box_(state.size),
+          part_(state.part),
+          file_(open_file(file.temporary, O_WRONLY, "cannot write")) {}
 
-    virtual void write(std::uint64_t offset, std::span<const double> values) = 0;
-    virtual void write(std::uint64_t offset, std::span<const float> values) = 0;
-    virtual void write(std::uint64_t offset, std::span<const std::uint8_t> values) = 0;
-    virtual void finish() = 0;
-};
-
-/// The whole box by plain writes.
-class WholeWriter final : public PartWriter {
-public:
-    explicit WholeWriter(const StateFile& file)
-        : target_(file.target), file_(open_file(file.temporary, O_WRONLY, "cannot write")) {}
-
-    void write(std::uint64_t offset, std::span<const double> values) override { put(offset, values); }
-    void write(std::uint64_t offset, std::span<const float> values) override { put(offset, values); }
-    void write(std::uint64_t offset, std::span<const std::uint8_t> values) override { put(offset, values); }
-    void finish() override {}
-
-private:
     template <class T>
-    void put(std::uint64_t offset, std::span<const T> values) {
-        write_at(file_, offset, {reinterpret_cast<const char*>(values.data()), values.size_bytes()}, target_);
+    void write(std::uint64_t offset, std::span<const T> values) const {
+        for_each_run(box_, part_, [&](std::int64_t place, std::int64_t first, std::int64_t count) {
+            const auto run = values.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+            write_at(file_, offset + static_cast<std::uint64_t>(place) * sizeof(T),
+                     {reinterpret_cast<const char*>(run.data()), run.size_bytes()}, target_);
+        });
     }
 
-    const Path& target_;
-    FileDescriptor file_;
-};
-
-/// MPI's own collective writes, which gather what lies scattered in the file. Failures are remembered, for
-/// all ranks must go through to the end.
-class CollectiveWriter final : public PartWriter {
-public:
-    CollectiveWriter(const StateFile& file, const EngineState& part, const Ranks& ranks)
-        : box_(part.size), part_(part.part) {
-        note(MPI_File_open(ranks.communicator()->handle, file.temporary.c_str(), MPI_MODE_WRONLY,
-                           MPI_INFO_NULL, &file_));
-        if (ranks.any(!failure_.empty()) && file_ != MPI_FILE_NULL)
-            MPI_File_close(&file_); // nobody writes unless all can
-    }
-    ~CollectiveWriter() override {
-        if (file_ != MPI_FILE_NULL)
-            MPI_File_close(&file_);
+    void write(std::uint64_t offset, const std::vector<double>& values, bool as_floats) const {
+        if (as_floats)
+            write(offset, std::span<const float>(std::vector<float>(values.begin(), values.end())));
+        else
+            write(offset, std::span<const double>(values));
     }
 
-    void write(std::uint64_t offset, std::span<const double> values) override {
-        put(offset, values.data(), MPI_DOUBLE);
-    }
-    void write(std::uint64_t offset, std::span<const float> values) override {
-        put(offset, values.data(), MPI_FLOAT);
-    }
-    void write(std::uint64_t offset, std::span<const std::uint8_t> values) override {
-        put(offset, values.data(), MPI_UINT8_T);
-    }
-    void finish() override {
-        if (file_ == MPI_FILE_NULL)
-            return;
-        note(MPI_File_sync(file_));
-        note(MPI_File_close(&file_));
-        file_ = MPI_FILE_NULL;
-    }
-
-    const std::string& failure() const { return failure_; }
+    void synchronise() const { vesica::synchronise(file_, target_); }
 
 private:
-    void put(std::uint64_t offset, const void* values, MPI_Datatype number) {
-        if (file_ == MPI_FILE_NULL)
-            return;
-        const int whole[3] = {box_.z, box_.y, box_.x};
-        const int sizes[3] = {part_.size.z, part_.size.y, part_.size.x};
-        const int begins[3] = {part_.begin.z, part_.begin.y, part_.begin.x};
-        MPI_Datatype place = MPI_DATATYPE_NULL;
-        MPI_Type_create_subarray(3, whole, sizes, begins, MPI_ORDER_C, number, &place);
-        MPI_Type_commit(&place);
-        note(MPI_File_set_view(file_, static_cast<MPI_Offset>(offset), number, place, "native",
-                               MPI_INFO_NULL));
-        MPI_Status status;
-        note(MPI_File_write_all(file_, values, static_cast<int>(part_.volume()), number, &status));
-        int written = 0;
-        MPI_Get_count(&status, number, &written);
-        if (failure_.empty() && written != part_.volume())
-            failure_ = "not all could be written";
-        MPI_Type_free(&place);
-    }
-
-    void note(int code) {
-        if (code == MPI_SUCCESS || !failure_.empty())
-            return;
-        char text[MPI_MAX_ERROR_STRING] = {};
-        int length = 0;
-        MPI_Error_string(code, text, &length);
-        failure_ = text;
-    }
-
+    const Path& target_;
     Vec3<int> box_;
     CellBox part_;
-    MPI_File file_ = MPI_FILE_NULL;
-    std::string failure_;
+    FileDescriptor file_;
 };
-
-void write_reals(PartWriter& writer, std::uint64_t offset, const std::vector<double>& values,
-                 bool as_floats) {
-    if (as_floats)
-        writer.write(offset, std::span<const float>(std::vector<float>(values.begin(), values.end())));
-    else
-        writer.write(offset, std::span<const double>(values));
-}
-
-void write_arrays(PartWriter& writer, const StateFile& file, const EngineState& part) {
-    const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, part.size}.volume());
-    const std::uint64_t width = file.float_populations ? sizeof(float) : sizeof(double);
-    for (std::size_t i = 0; i < part.populations.size(); ++i)
-        write_reals(writer, file.populations + i * cells * width, part.populations[i],
-                    file.float_populations);
-    write_reals(writer, file.minority, part.minority, file.float_minority);
-    writer.write(file.band, std::span<const std::uint8_t>(part.band));
-    writer.finish();
-}
 
 } // namespace
 
 void write_state(const StateFile& file, const EngineState& part, const Ranks& ranks) {
-    if (ranks.count() == 1) {
-        WholeWriter writer(file);
-        write_arrays(writer, file, part);
-        return;
-    }
-    CollectiveWriter writer(file, part, ranks);
-    write_arrays(writer, file, part);
-    const auto reasons = ranks.gather(std::as_bytes(std::span(writer.failure())));
-    for (std::size_t rank = 0; rank < reasons.size(); ++rank)
-        if (!reasons[rank].empty())
-            throw RunError(fmt::format(
-                "{}: cannot write: {} (rank {})", file.target.string(),
-                std::string(reinterpret_cast<const char*>(reasons[rank].data()), reasons[rank].size()),
-                rank));
+    agree(ranks, [&] {
+        const PartWriter writer(file, part);
+        const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, part.size}.volume());
+        const std::uint64_t width = file.float_populations ? sizeof(float) : sizeof(double);
+        for (std::size_t i = 0; i < part.populations.size(); ++i)
+            writer.write(file.populations + i * cells * width, part.populations[i], file.float_populations);
+        writer.write(file.minority, part.minority, file.float_minority);
+        writer.write(file.band, std::span<const std::uint8_t>(part.band));
+        writer.synchronise();
+    });
 }
 
 namespace {
@@ -170,28 +95,17 @@ template <class T>
 std::vector<T> read_part(hid_t array, hid_t type, std::size_t row, const Vec3<int>& box, const CellBox& part,
                          const Path& path) {
     std::vector<T> values(static_cast<std::size_t>(part.volume()));
-    const auto at = [&](int y, int z) {
-        return (static_cast<hsize_t>(part.begin.z + z) * static_cast<hsize_t>(box.y) +
-                static_cast<hsize_t>(part.begin.y + y)) *
-                   static_cast<hsize_t>(box.x) +
-               static_cast<hsize_t>(part.begin.x);
-    };
-    const bool whole_rows = part.size.x == box.x;
-    const bool whole_planes = whole_rows && part.size.y == box.y;
-    const auto plane = static_cast<std::size_t>(part.size.x) * static_cast<std::size_t>(part.size.y);
-    // As much at once as lies in one piece.
-    if (whole_planes) {
-        read_run(array, type, row, at(0, 0), values.size(), values.data(), path);
-    } else if (whole_rows) {
-        for (int z = 0; z < part.size.z; ++z)
-            read_run(array, type, row, at(0, z), plane, values.data() + static_cast<std::size_t>(z) * plane,
-                     path);
-    } else {
-        const auto length = static_cast<std::size_t>(part.size.x);
-        T* into = values.data();
-        for (int z = 0; z < part.size.z; ++z)
-            for (int y = 0; y < part.size.y; ++y, into += length)
-                read_run(array, type, row, at(y, z), length, into, path);
+    T* into = values.data();
+    for (int z = 0; z < part.size.z; ++z) {
+        const std::int64_t first =
+            (std::int64_t{part.begin.z + z} * box.y + part.begin.y) * box.x + part.begin.x;
+        Hdf5Runs rows;
+        rows.first = static_cast<hsize_t>(first);
+        rows.stride = static_cast<hsize_t>(box.x);
+        rows.count = static_cast<hsize_t>(part.size.y);
+        rows.length = static_cast<hsize_t>(part.size.x);
+        read_runs(array, type, row, rows, into, path);
+        into += rows.count * rows.length;
     }
     return values;
 }

@@ -22,8 +22,8 @@ struct StateFile {
     bool float_minority = false;
 };
 
-/// Writes the arrays of each rank's part and waits until they are on the device; all ranks together. Throws
-/// RunError, on the rank that leads only: the first of the reasons there are.
+/// Writes the arrays of each rank's part and waits until they are on the device; all ranks together, and if
+/// one of them cannot, all throw its RunError.
 void write_state(const StateFile& file, const EngineState& part, const Ranks& ranks);
 
 /// Reads a part of the state in a checkpoint, which has been verified before. Throws RunError.

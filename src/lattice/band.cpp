@@ -97,7 +97,7 @@ void Band::lay_out() {
     if (parts_.empty())
         return;
     list_part_cells();
-    part_rim_from_inner();
+    separate_rim();
 }
 
 void Band::list_tiles(const std::vector<std::int64_t>& members) {
@@ -178,7 +178,7 @@ void Band::list_part_cells() {
     }
 }
 
-void Band::part_rim_from_inner() {
+void Band::separate_rim() {
     std::vector<bool> waited_for(static_cast<std::size_t>(compact_size_ / tile), false); // by address
     for (const PartCells& cells : part_cells_)
         for (const std::int32_t address : cells.rim)

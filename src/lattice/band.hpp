@@ -88,7 +88,7 @@ private:
     static bool follows(const BandTile& first, const BandTile& second);
     void list_ghost_copies(const std::vector<std::int64_t>& members);
     void list_part_cells();
-    void part_rim_from_inner();
+    void separate_rim();
 
     /// Cells of a tile of the grid that belong to the level and to the block.
     std::uint8_t own_bits(int level, std::int64_t tile) const {

@@ -29,21 +29,35 @@ public:
             lanes_[k] += other.lanes_[k];
     }
 
-    /// The integer all terms add up to, for messages between ranks: totals add up like terms do.
-    std::uint64_t total() const {
-        std::uint64_t total = 0;
-        for (const std::uint64_t lane : lanes_)
-            total += lane;
-        return total;
-    }
-    static double value_of(std::uint64_t total) {
-        return static_cast<double>(static_cast<std::int64_t>(total)) /
-               static_cast<double>(std::int64_t{1} << fraction_bits);
-    }
+    double value() const { return static_cast<double>(total()) / unit; }
 
-    double value() const { return value_of(total()); }
+    /// For messages between ranks: the integer all terms add up to, in two halves that add up each by itself,
+    /// so that sums of many ranks may be larger than a rank's own.
+    struct Halves {
+        std::uint64_t low = 0;
+        std::uint64_t high = 0; ///< two's complement
+
+        double value() const {
+            return (static_cast<double>(static_cast<std::int64_t>(high)) * 0x1p32 +
+                    static_cast<double>(low)) /
+                   unit;
+        }
+    };
+    Halves halves() const {
+        const std::int64_t sum = total();
+        return {static_cast<std::uint64_t>(sum) & 0xffffffff, static_cast<std::uint64_t>(sum >> 32)};
+    }
 
 private:
+    static constexpr double unit = static_cast<double>(std::int64_t{1} << fraction_bits);
+
+    std::int64_t total() const {
+        std::uint64_t sum = 0;
+        for (const std::uint64_t lane : lanes_)
+            sum += lane;
+        return static_cast<std::int64_t>(sum);
+    }
+
     std::uint64_t lanes_[tile_width] = {}; ///< two's complement: out of range it wraps, and is defined
 };
 

@@ -1,5 +1,6 @@
 #include "parallel/neighbourhood.hpp"
 
+#include "core/input_error.hpp"
 #include "parallel/communicator.hpp"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <chrono>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace vesica {
 
@@ -77,24 +79,38 @@ Neighbourhood::Neighbourhood(const Ranks& ranks, const BlockLayout& layout) : ra
     // The receiver's links are the sender's, the other way round.
     for (std::size_t part = parts_.size(); part-- > 0;)
         by_rank[rank_towards(parts_[part].link)].outgoing.push_back(part);
-    std::vector<int> others;
     for (auto& [rank, neighbour] : by_rank) {
         neighbour.rank = rank;
         neighbour.block = layout.block(place_of(grid.handle, rank));
-        others.push_back(rank);
         neighbours_.push_back(std::move(neighbour));
     }
-    const int degree = static_cast<int>(others.size());
-    MPI_Comm graph = MPI_COMM_NULL;
-    MPI_Dist_graph_create_adjacent(grid.handle, degree, others.data(), MPI_UNWEIGHTED, degree, others.data(),
-                                   MPI_UNWEIGHTED, MPI_INFO_NULL, 0, &graph);
-    graph_ = std::shared_ptr<Graph>(new Graph{Ranks::Communicator(graph)});
+    std::stable_partition(neighbours_.begin(), neighbours_.end(),
+                          [](const Neighbour& neighbour) { return !neighbour.outgoing.empty(); });
+    make_graphs(grid);
+}
+
+void Neighbourhood::make_graphs(const Ranks::Communicator& grid) {
+    const auto graph_of_first = [&](std::size_t count) {
+        std::vector<int> ranks;
+        for (std::size_t k = 0; k < count; ++k)
+            ranks.push_back(neighbours_[k].rank);
+        const int degree = static_cast<int>(count);
+        MPI_Comm graph = MPI_COMM_NULL;
+        MPI_Dist_graph_create_adjacent(grid.handle, degree, ranks.data(), MPI_UNWEIGHTED, degree,
+                                       ranks.data(), MPI_UNWEIGHTED, MPI_INFO_NULL, 0, &graph);
+        return std::shared_ptr<Graph>(new Graph{Ranks::Communicator(graph)});
+    };
+    const auto corner = std::find_if(neighbours_.begin(), neighbours_.end(),
+                                     [](const Neighbour& neighbour) { return neighbour.outgoing.empty(); });
+    linked_count_ = static_cast<std::size_t>(corner - neighbours_.begin());
+    linked_ = graph_of_first(linked_count_);
+    all_ = graph_of_first(neighbours_.size());
 }
 
 std::vector<std::vector<std::byte>>
 Neighbourhood::exchange(const std::vector<std::vector<std::byte>>& outgoing) const {
     std::vector<std::vector<std::byte>> incoming(neighbours_.size());
-    if (!graph_)
+    if (!all_)
         return incoming;
     assert(outgoing.size() == neighbours_.size());
     std::vector<std::uint64_t> lengths;
@@ -102,8 +118,8 @@ Neighbourhood::exchange(const std::vector<std::vector<std::byte>>& outgoing) con
         lengths.push_back(message.size());
     std::vector<std::uint64_t> lengths_coming(lengths.size());
     MPI_Neighbor_alltoall(lengths.data(), 1, MPI_UINT64_T, lengths_coming.data(), 1, MPI_UINT64_T,
-                          graph_->group.handle);
-    Messages messages(*this);
+                          all_->group.handle);
+    Messages messages(all_);
     messages.resize(std::vector<std::size_t>(lengths.begin(), lengths.end()),
                     std::vector<std::size_t>(lengths_coming.begin(), lengths_coming.end()));
     for (std::size_t k = 0; k < outgoing.size(); ++k)
@@ -116,8 +132,9 @@ Neighbourhood::exchange(const std::vector<std::vector<std::byte>>& outgoing) con
 }
 
 Messages::Messages() : request_(std::make_unique<Request>()) {}
-Messages::Messages(const Neighbourhood& neighbourhood)
-    : graph_(neighbourhood.graph_), request_(std::make_unique<Request>()) {}
+Messages::Messages(const Neighbourhood& neighbourhood) : Messages(neighbourhood.linked_) {}
+Messages::Messages(std::shared_ptr<Neighbourhood::Graph> graph)
+    : graph_(std::move(graph)), request_(std::make_unique<Request>()) {}
 Messages::Messages(Messages&&) noexcept = default;
 Messages& Messages::operator=(Messages&&) noexcept = default;
 Messages::~Messages() = default;
@@ -129,9 +146,10 @@ void Messages::lay_out(Direction& direction, std::span<const std::size_t> sizes)
     for (const std::size_t size : sizes) {
         direction.counts.push_back(static_cast<int>(size));
         direction.offsets.push_back(static_cast<int>(offset));
-        offset += (size + 63) / 64 * 64; // no two messages on one cache line
+        offset += (size + 63) / 64 * 64;
+        if (offset > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+            throw RunError("a message to neighbouring ranks has more than 2 GB; try more ranks");
     }
-    assert(offset <= static_cast<std::size_t>(std::numeric_limits<int>::max()));
     if (direction.bytes.size() < offset)
         direction.bytes.resize(offset);
 }

@@ -33,7 +33,12 @@ public:
     const Ranks& ranks() const { return ranks_; }
     const Block& block() const { return block_; }
     const std::vector<HaloPart>& parts() const { return parts_; }
+    /// All around, corners too: those that share faces or edges first.
     const std::vector<Neighbour>& neighbours() const { return neighbours_; }
+    /// Those alone that share faces or edges.
+    std::span<const Neighbour> linked_neighbours() const {
+        return std::span(neighbours_).first(linked_count_);
+    }
 
     /// Sends each neighbour what is meant for it and returns what they sent, of any length.
     std::vector<std::vector<std::byte>> exchange(const std::vector<std::vector<std::byte>>& outgoing) const;
@@ -42,15 +47,19 @@ private:
     friend class Messages;
     struct Graph;
 
+    void make_graphs(const Ranks::Communicator& grid);
+
     Ranks ranks_;
     Block block_;
     std::vector<HaloPart> parts_;
     std::vector<Neighbour> neighbours_;
-    std::shared_ptr<Graph> graph_;
+    std::size_t linked_count_ = 0;
+    std::shared_ptr<Graph> linked_; ///< across faces and edges; null when alone
+    std::shared_ptr<Graph> all_;    ///< with the corners
 };
 
-/// One packed message to every neighbour and one from it, over and over. Work can be done between start() and
-/// finish().
+/// One packed message to every neighbour across a face or an edge and one from it, over and over. Work can be
+/// done between start() and finish().
 class Messages {
 public:
     Messages();
@@ -59,7 +68,7 @@ public:
     Messages& operator=(Messages&&) noexcept;
     ~Messages();
 
-    /// Bytes per neighbour of the messages to come; what they hold is lost.
+    /// Bytes per linked neighbour of the messages to come; what they hold is lost.
     void resize(std::span<const std::size_t> outgoing, std::span<const std::size_t> incoming);
 
     std::byte* outgoing(std::size_t neighbour) { return at(outgoing_, neighbour); }
@@ -82,6 +91,8 @@ private:
         std::vector<std::byte> bytes;
     };
     struct Request;
+    friend class Neighbourhood;
+    explicit Messages(std::shared_ptr<Neighbourhood::Graph> graph);
 
     static std::byte* at(Direction& direction, std::size_t neighbour) {
         return direction.bytes.data() + direction.offsets[neighbour];

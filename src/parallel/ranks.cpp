@@ -1,11 +1,15 @@
 #include "parallel/ranks.hpp"
 
+#include "core/input_error.hpp"
 #include "parallel/communicator.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <chrono>
 #include <cstdlib>
+#include <initializer_list>
+#include <iostream>
+#include <numeric>
 
 namespace vesica {
 
@@ -15,6 +19,14 @@ namespace {
 constexpr std::size_t piece = std::size_t{1} << 30;
 constexpr int gather_tag = 1;
 
+int largest_of(std::initializer_list<const char*> variables) {
+    int largest = 0;
+    for (const char* const name : variables)
+        if (const char* const text = std::getenv(name))
+            largest = std::max(largest, std::atoi(text));
+    return largest;
+}
+
 template <class Body>
 void for_each_piece(std::size_t bytes, const Body& body) {
     for (std::size_t begin = 0; begin < bytes; begin += piece)
@@ -23,28 +35,26 @@ void for_each_piece(std::size_t bytes, const Body& body) {
 
 } // namespace
 
-bool MpiSession::is_launched() {
-    constexpr std::array variables = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK"};
-    return std::any_of(variables.begin(), variables.end(),
-                       [](const char* name) { return std::getenv(name) != nullptr; });
+int MpiSession::promised() {
+    return std::max(
+        1, largest_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "SLURM_STEP_NUM_TASKS"}));
 }
 
-int MpiSession::promised() {
-    constexpr std::array variables = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE",
-                                      "SLURM_STEP_NUM_TASKS"};
-    int most = 1;
-    for (const char* const name : variables)
-        if (const char* const text = std::getenv(name))
-            most = std::max(most, std::atoi(text));
-    return most;
+int MpiSession::promised_rank() {
+    if (promised() == 1)
+        return 0;
+    return largest_of(
+        {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "PMIX_RANK", "SLURM_PROCID"});
 }
 
 MpiSession::MpiSession() {
-    if (!is_launched())
+    if (promised() == 1)
         return;
     int provided = 0;
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     begun_ = true;
+    if (provided < MPI_THREAD_FUNNELED)
+        throw RunError("this MPI library does not allow threads; expected one built with their support");
 }
 
 MpiSession::~MpiSession() {
@@ -103,9 +113,12 @@ std::string Ranks::broadcast(const std::string& text) const {
     return copy;
 }
 
-std::vector<std::vector<std::byte>> Ranks::gather(std::span<const std::byte> bytes) const {
-    if (!communicator_)
-        return {{bytes.begin(), bytes.end()}};
+void Ranks::gather(std::span<const std::byte> bytes,
+                   const std::function<void(int, std::span<const std::byte>)>& take) const {
+    if (!communicator_) {
+        take(0, bytes);
+        return;
+    }
     const MPI_Comm group = communicator_->handle;
     const std::uint64_t length = bytes.size();
     std::vector<std::uint64_t> lengths(leads() ? static_cast<std::size_t>(count_) : 0);
@@ -114,16 +127,17 @@ std::vector<std::vector<std::byte>> Ranks::gather(std::span<const std::byte> byt
         for_each_piece(bytes.size(), [&](std::size_t begin, int count) {
             MPI_Send(bytes.data() + begin, count, MPI_BYTE, 0, gather_tag, group);
         });
-        return {};
+        return;
     }
-    std::vector<std::vector<std::byte>> all{{bytes.begin(), bytes.end()}};
+    take(0, bytes);
+    std::vector<std::byte> part;
     for (int from = 1; from < count_; ++from) {
-        std::vector<std::byte>& part = all.emplace_back(lengths[static_cast<std::size_t>(from)]);
+        part.resize(lengths[static_cast<std::size_t>(from)]);
         for_each_piece(part.size(), [&](std::size_t begin, int count) {
             MPI_Recv(part.data() + begin, count, MPI_BYTE, from, gather_tag, group, MPI_STATUS_IGNORE);
         });
+        take(from, part);
     }
-    return all;
 }
 
 std::vector<std::byte> Ranks::gather_to_all(std::span<const std::byte> bytes) const {
@@ -135,17 +149,27 @@ std::vector<std::byte> Ranks::gather_to_all(std::span<const std::byte> bytes) co
     return all;
 }
 
-std::int64_t Ranks::sum_on_this_machine(std::int64_t value) const {
+int Ranks::share_of_processors(std::span<const std::uint64_t> mask) const {
+    const auto processors = [](std::span<const std::uint64_t> bits) {
+        return std::accumulate(bits.begin(), bits.end(), 0,
+                               [](int sum, std::uint64_t word) { return sum + std::popcount(word); });
+    };
+    const int own = processors(mask);
     if (!communicator_)
-        return value;
+        return std::max(own, 1);
+    // Ranks may be bound to processors of their own, or share some, or all.
     MPI_Comm machine = MPI_COMM_NULL;
     MPI_Comm_split_type(communicator_->handle, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &machine);
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, machine);
+    std::vector<std::uint64_t> all(mask.size());
+    int wanted = 0;
+    MPI_Allreduce(mask.data(), all.data(), static_cast<int>(mask.size()), MPI_UINT64_T, MPI_BOR, machine);
+    MPI_Allreduce(&own, &wanted, 1, MPI_INT, MPI_SUM, machine);
     MPI_Comm_free(&machine);
-    return value;
+    return std::max(own * processors(all) / std::max(wanted, 1), 1);
 }
 
-void Ranks::abandon(int status) const {
+void Ranks::abandon(int status, const std::exception& reason) const {
+    std::cerr << "vesica: rank " << rank_ << ": " << words_of(reason) << std::endl;
     if (communicator_)
         MPI_Abort(communicator_->handle, status);
     std::_Exit(status);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,8 +12,8 @@
 
 namespace vesica {
 
-/// MPI, for as long as it lives, if a launcher (mpirun, srun, ...) has started this process; nothing at all
-/// otherwise. One per process. Only the thread that made it calls MPI.
+/// MPI, for as long as it lives, if a launcher (mpirun, srun, ...) has started this process as one of
+/// several; nothing at all otherwise. One per process. Only the thread that made it calls MPI.
 class MpiSession {
 public:
     MpiSession();
@@ -19,10 +21,10 @@ public:
     MpiSession(const MpiSession&) = delete;
     MpiSession& operator=(const MpiSession&) = delete;
 
-    /// Whether the launcher's variables are there.
-    static bool is_launched();
-    /// How many processes the launcher says it has started; 1 without one.
+    /// How many processes the launcher says it has started, and which of them this is, by its variables; 1
+    /// and 0 without one.
     static int promised();
+    static int promised_rank();
 
 private:
     bool begun_ = false;
@@ -54,8 +56,9 @@ public:
     void broadcast(std::span<std::byte> bytes) const;
     std::string broadcast(const std::string& text) const;
 
-    /// To the first: what each has, by rank. Nothing on the others.
-    std::vector<std::vector<std::byte>> gather(std::span<const std::byte> bytes) const;
+    /// To the first: take(rank, what it has), one after the other. On the others `take` is not called.
+    void gather(std::span<const std::byte> bytes,
+                const std::function<void(int, std::span<const std::byte>)>& take) const;
 
     /// To all: what each has, which must be equally long.
     std::vector<std::byte> gather_to_all(std::span<const std::byte> bytes) const;
@@ -68,11 +71,12 @@ public:
         return all;
     }
 
-    /// Sum over those that share this machine's memory and processors.
-    std::int64_t sum_on_this_machine(std::int64_t value) const;
+    /// How many processors fall to each of the ranks that share this machine, given which of them this one
+    /// may use: bit k of the mask for processor k.
+    int share_of_processors(std::span<const std::uint64_t> mask) const;
 
-    /// Ends all processes at once, for the sake of one that cannot go on.
-    [[noreturn]] void abandon(int status) const;
+    /// Says why and ends all processes at once, for the sake of one that cannot go on.
+    [[noreturn]] void abandon(int status, const std::exception& reason) const;
 
     struct Communicator;
     const Communicator* communicator() const { return communicator_.get(); } ///< null when alone

@@ -20,14 +20,14 @@ public:
     explicit BandHalo(const Neighbourhood& neighbourhood)
         : neighbourhood_(neighbourhood),
           messages_(neighbourhood),
-          cells_(neighbourhood.neighbours().size()) {}
+          cells_(neighbourhood.linked_neighbours().size()) {}
 
     const Messages& messages() const { return messages_; }
 
     /// The band has been laid out anew.
     void follow(const Band& band) {
         for (std::size_t k = 0; k < cells_.size(); ++k) {
-            const Neighbourhood::Neighbour& neighbour = neighbourhood_.neighbours()[k];
+            const Neighbourhood::Neighbour& neighbour = neighbourhood_.linked_neighbours()[k];
             cells_[k].rim.clear();
             cells_[k].ghosts.clear();
             for (const std::size_t part : neighbour.outgoing)
@@ -49,19 +49,22 @@ public:
             incoming.push_back(cells.ghosts.size() * arrays.size() * sizeof(Real));
         }
         messages_.resize(outgoing, incoming);
-        for (std::size_t k = 0; k < cells_.size(); ++k)
-            for_each_value(cells_[k].rim, arrays, threads,
-                           [&, message = reinterpret_cast<Real*>(messages_.outgoing(k))](
-                               std::int64_t at, Real& value) { message[at] = value; });
+        for_each_value(&Band::PartCells::rim, arrays, threads, [&](std::size_t k) {
+            return [message = reinterpret_cast<Real*>(messages_.outgoing(k))](std::size_t at, Real& value) {
+                message[at] = value;
+            };
+        });
         messages_.start();
     }
 
     void finish(Arrays arrays, int threads) {
         messages_.finish();
-        for (std::size_t k = 0; k < cells_.size(); ++k)
-            for_each_value(cells_[k].ghosts, arrays, threads,
-                           [&, message = reinterpret_cast<const Real*>(messages_.incoming(k))](
-                               std::int64_t at, Real& value) { value = message[at]; });
+        for_each_value(&Band::PartCells::ghosts, arrays, threads, [&](std::size_t k) {
+            return [message = reinterpret_cast<const Real*>(messages_.incoming(k))](std::size_t at,
+                                                                                    Real& value) {
+                value = message[at];
+            };
+        });
     }
 
 private:
@@ -69,25 +72,31 @@ private:
         list.insert(list.end(), more.begin(), more.end());
     }
 
-    /// body(place in the message, value), array by array.
-    template <class Body>
-    static void for_each_value(const std::vector<std::int32_t>& cells, Arrays arrays, int threads,
-                               const Body& body) {
-        const auto count = static_cast<std::int64_t>(cells.size());
-        for_each_block(count, threads, [&](int, std::int64_t begin, std::int64_t end) {
-            std::int64_t array_begin = 0;
-            for (const std::span<Real>& array : arrays) {
-                for (std::int64_t k = begin; k < end; ++k)
-                    body(array_begin + k,
-                         array[static_cast<std::size_t>(cells[static_cast<std::size_t>(k)])]);
-                array_begin += count;
+    /// copy_of(neighbour)(place in its message, value), array by array; each thread has a share of every
+    /// message.
+    template <class CopyOf>
+    void for_each_value(std::vector<std::int32_t> Band::PartCells::*list, Arrays arrays, int threads,
+                        const CopyOf& copy_of) const {
+        const auto shares = static_cast<std::size_t>(threads);
+        for_each_block(threads, threads, [&](int thread, std::int64_t, std::int64_t) {
+            const auto self = static_cast<std::size_t>(thread);
+            for (std::size_t neighbour = 0; neighbour < cells_.size(); ++neighbour) {
+                const std::vector<std::int32_t>& cells = cells_[neighbour].*list;
+                const auto copy = copy_of(neighbour);
+                std::size_t array_begin = 0;
+                for (const std::span<Real>& array : arrays) {
+                    for (std::size_t k = cells.size() * self / shares; k < cells.size() * (self + 1) / shares;
+                         ++k)
+                        copy(array_begin + k, array[static_cast<std::size_t>(cells[k])]);
+                    array_begin += cells.size();
+                }
             }
         });
     }
 
     const Neighbourhood& neighbourhood_;
     Messages messages_;
-    std::vector<Band::PartCells> cells_; ///< per neighbour
+    std::vector<Band::PartCells> cells_; ///< per linked neighbour
 };
 
 template <class Real>

@@ -5,8 +5,6 @@
 #include "simulation/crew_post.hpp"
 #include "simulation/plan_cost.hpp"
 
-#include <iostream>
-#include <new>
 #include <utility>
 
 namespace vesica {
@@ -27,8 +25,7 @@ public:
     }
     DenseField field(std::string_view name) const override {
         post_.announce(Order::field);
-        const std::string text = post_.ranks().broadcast(std::string(name));
-        return post_.together([&] { return own().field(text); });
+        return post_.field(std::string(name));
     }
     std::optional<Trouble> trouble() const override {
         post_.announce(Order::trouble);
@@ -75,15 +72,18 @@ int Crew::default_threads() const {
 
 std::unique_ptr<Engine> Crew::build(const Case& what, const CrewSettings& settings,
                                     const std::optional<std::filesystem::path>& from) {
-    layout_for(what.parameters.size, ranks_.count(), settings.blocks); // refused before anybody is disturbed
+    const std::string text = resolved_toml(what);
+    const std::string checkpoint = from ? from->string() : std::string();
+    auto engine = std::make_unique<LeadingEngine>(*post_);
     post_->announce(Order::build);
-    post_->build(resolved_toml(what), what.source_file, settings, from ? from->string() : std::string());
-    return std::make_unique<LeadingEngine>(*post_);
+    post_->build(text, what.source_file, settings, checkpoint);
+    return engine;
 }
 
 void Crew::load(const std::filesystem::path& checkpoint, const StateChange& change) {
+    const std::string path = checkpoint.string();
     post_->announce(Order::load);
-    post_->together([&] { post_->load(checkpoint.string(), change); });
+    post_->load(path, change);
 }
 
 ParallelSummary Crew::report() {
@@ -97,24 +97,24 @@ void Crew::write_state(const StateFile& file, const EngineState& own_part) {
 
 Digest Crew::digest(const std::filesystem::path& file, std::uint64_t offset, std::uint64_t length,
                     const std::filesystem::path& target) {
+    const std::string path = file.string();
+    const std::string name = target.string();
     post_->announce(Order::digest);
-    return post_->digest(file.string(), offset, length, target.string());
+    return post_->digest(path, offset, length, name);
 }
 
 int follow_orders(const Ranks& ranks) {
     CrewPost post(ranks);
-    try {
-        for (;;) {
-            const auto [order, number] = post.next();
-            if (order == Order::end)
-                return static_cast<int>(number);
+    for (;;) {
+        const auto [order, number] = post.next();
+        if (order == Order::end)
+            return static_cast<int>(number);
+        try {
             post.carry_out(order);
+        } catch (const InputError&) {
+            // All have agreed on it, and the rank that leads tells the user.
+        } catch (const RunError&) {
         }
-    } catch (const std::exception& error) {
-        const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-        std::cerr << "vesica: rank " << ranks.rank() << ": " << (memory ? "not enough memory" : error.what())
-                  << std::endl;
-        ranks.abandon(1);
     }
 }
 

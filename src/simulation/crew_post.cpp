@@ -2,6 +2,7 @@
 
 #include "io/case_file.hpp"
 #include "io/posix_file.hpp"
+#include "parallel/agreement.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/plan_cost.hpp"
 
@@ -143,26 +144,22 @@ std::pair<Order, std::int64_t> CrewPost::next() const {
 void CrewPost::carry_out(Order order) {
     switch (order) {
     case Order::build:
-        try {
-            build({}, {}, {}, {});
-        } catch (const InputError&) {
-            // The rank that leads has found the same, and tells the user.
-        }
+        build({}, {}, {}, {});
         break;
     case Order::load:
         load({}, {});
         break;
     case Order::step:
-        engine_->step();
+        together([&] { engine_->step(); });
         break;
     case Order::snapshot:
-        engine_->snapshot();
+        together([&] { engine_->snapshot(); });
         break;
     case Order::field:
-        engine_->field(ranks_.broadcast(std::string()));
+        field({});
         break;
     case Order::trouble:
-        engine_->trouble();
+        together([&] { engine_->trouble(); });
         break;
     case Order::write:
         write({}, nullptr);
@@ -174,7 +171,7 @@ void CrewPost::carry_out(Order order) {
         default_threads(ranks_);
         break;
     case Order::report:
-        share_report();
+        together([&] { gather_reports(); });
         break;
     case Order::end:
         break;
@@ -185,31 +182,53 @@ void CrewPost::build(const std::string& case_text, const std::string& name, cons
                      const std::string& from) {
     // All read the same text, so that all compute with the same numbers.
     const std::string text = ranks_.broadcast(case_text);
-    const Case what = read_case_text(text, ranks_.broadcast(name));
+    const std::string source = ranks_.broadcast(name);
     const std::string checkpoint = ranks_.broadcast(from);
     const PlainSettings plain = broadcast_value(
         ranks_, PlainSettings{settings.threads, settings.blocks.value_or(Vec3<int>{}), settings.balance});
-    const int threads = plain.threads > 0 ? plain.threads : default_threads(ranks_);
-    const Parameters& parameters = what.parameters;
-    BlockLayout layout = layout_for(parameters.size, ranks_.count(),
-                                    plain.blocks.x > 0 ? std::optional(plain.blocks) : std::nullopt);
-    if (plain.balance == Balance::interface && !parameters.vesicles.empty()) {
-        const Neighbourhood even(ranks_, layout);
-        PlaneCounts core = core_of(parameters, even.block(), checkpoint, threads);
-        core.sum(ranks_);
-        balance_by_interface(layout, core.of);
-    }
+    const int share = default_threads(ranks_);
+    const int threads = plain.threads > 0 ? plain.threads : share;
+    const Case what = agreed(ranks_, [&] { return read_case_text(text, source); });
+    BlockLayout layout = agreed(ranks_, [&] {
+        return layout_for(what.parameters.size, ranks_.count(),
+                          plain.blocks.x > 0 ? std::optional(plain.blocks) : std::nullopt);
+    });
+    if (plain.balance == Balance::interface && !what.parameters.vesicles.empty())
+        layout = balanced_layout(what.parameters, layout, checkpoint, threads);
     blocks_ = layout.blocks();
     neighbourhood_ = std::make_shared<const Neighbourhood>(ranks_, layout);
-    engine_ = make_engine(parameters, threads, neighbourhood_);
+    try {
+        engine_ = make_engine(what.parameters, threads, neighbourhood_);
+    } catch (const std::bad_alloc& memory) { // one rank's own
+        ranks_.abandon(1, memory);
+    }
+    before_stepping_ = engine_->traffic();
+}
+
+BlockLayout CrewPost::balanced_layout(const Parameters& parameters, BlockLayout layout,
+                                      const std::string& from, int threads) const {
+    const Neighbourhood even(ranks_, layout);
+    PlaneCounts core = agreed(ranks_, [&] { return core_of(parameters, even.block(), from, threads); });
+    core.sum(ranks_);
+    balance_by_interface(layout, core.of);
+    return layout;
 }
 
 void CrewPost::load(const std::string& checkpoint, const StateChange& change) {
     const std::string path = ranks_.broadcast(checkpoint);
     const StateChange wanted = broadcast_value(ranks_, change);
-    EngineState state = read_state(path, neighbourhood_->block().own);
-    wanted.apply(state);
-    engine_->load(state);
+    const EngineState state = agreed(ranks_, [&] {
+        EngineState part = read_state(path, neighbourhood_->block().own);
+        wanted.apply(part);
+        return part;
+    });
+    together([&] { engine_->load(state); });
+    before_stepping_ = engine_->traffic();
+}
+
+DenseField CrewPost::field(const std::string& name) {
+    const std::string text = ranks_.broadcast(name);
+    return together([&] { return engine_->field(text); });
 }
 
 void CrewPost::write(const StateFile& file, const EngineState* own_part) {
@@ -222,7 +241,12 @@ void CrewPost::write(const StateFile& file, const EngineState* own_part) {
     places.band = offsets[2];
     places.float_populations = broadcast_value(ranks_, file.float_populations);
     places.float_minority = broadcast_value(ranks_, file.float_minority);
-    write_state(places, own_part != nullptr ? *own_part : engine_->save(), ranks_);
+    if (own_part != nullptr) {
+        write_state(places, *own_part, ranks_);
+        return;
+    }
+    const EngineState part = together([&] { return engine_->save(); });
+    write_state(places, part, ranks_);
 }
 
 /// Each rank digests its share of the blocks; the rank that leads puts them together.
@@ -234,37 +258,29 @@ Digest CrewPost::digest(const std::string& file, std::uint64_t offset, std::uint
     const std::uint64_t blocks = digest_blocks(range[1]);
     const auto ranks = static_cast<std::uint64_t>(ranks_.count());
     const auto rank = static_cast<std::uint64_t>(ranks_.rank());
-    std::vector<Digest> own;
-    std::string failure;
-    try {
-        own = digests_of_blocks(open_file(path, O_RDONLY, "cannot read"), range[0], range[1],
-                                blocks * rank / ranks, blocks * (rank + 1) / ranks, name);
-    } catch (const RunError& error) {
-        failure = error.what();
-    }
-    const auto failures = ranks_.gather(std::as_bytes(std::span(failure)));
-    const auto parts = ranks_.gather(std::as_bytes(std::span(own)));
-    for (const auto& reason : failures)
-        if (!reason.empty())
-            throw RunError(std::string(reinterpret_cast<const char*>(reason.data()), reason.size()));
+    const std::vector<Digest> own = agreed(ranks_, [&] {
+        return digests_of_blocks(open_file(path, O_RDONLY, "cannot read"), range[0], range[1],
+                                 blocks * rank / ranks, blocks * (rank + 1) / ranks, name);
+    });
     std::vector<Digest> all;
-    for (const auto& part : parts) {
+    ranks_.gather(std::as_bytes(std::span(own)), [&](int, std::span<const std::byte> part) {
         const std::size_t before = all.size();
         all.resize(before + part.size() / sizeof(Digest));
         std::copy(part.begin(), part.end(), std::as_writable_bytes(std::span(all).subspan(before)).begin());
-    }
+    });
     return combine_digests(all);
 }
 
 SharedOut CrewPost::shared_out() {
     announce(Order::report);
-    return share_report();
+    return together([&] { return gather_reports(); });
 }
 
-SharedOut CrewPost::share_report() const {
+SharedOut CrewPost::gather_reports() const {
     struct Report {
         ParallelSummary::Rank rank;
         RankTraffic traffic;
+        RankTraffic before; ///< of the building
         double bytes;
         double band_cells;
     };
@@ -276,6 +292,7 @@ SharedOut CrewPost::share_report() const {
     const double cells = static_cast<double>(own.rank.block.volume());
     own.rank.interface_cells = static_cast<std::int64_t>(std::llround(engine_->interface_fraction() * cells));
     own.traffic = engine_->traffic();
+    own.before = before_stepping_;
     own.bytes = static_cast<double>(engine_->bytes_allocated());
     SharedOut all;
     all.summary.blocks = blocks_;
@@ -283,10 +300,11 @@ SharedOut CrewPost::share_report() const {
     std::int64_t interface_cells = 0;
     for (const Report& report : ranks_.gather_all(own)) {
         all.summary.ranks.push_back(report.rank);
-        all.summary.population_messages += report.traffic.population_messages;
-        all.summary.population_bytes += report.traffic.population_bytes;
-        all.summary.band_messages += report.traffic.band_messages;
-        all.summary.band_bytes += report.traffic.band_bytes;
+        all.summary.population_messages +=
+            report.traffic.population_messages - report.before.population_messages;
+        all.summary.population_bytes += report.traffic.population_bytes - report.before.population_bytes;
+        all.summary.band_messages += report.traffic.band_messages - report.before.band_messages;
+        all.summary.band_bytes += report.traffic.band_bytes - report.before.band_bytes;
         all.bytes += report.bytes;
         interface_cells += report.rank.interface_cells;
     }

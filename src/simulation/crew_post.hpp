@@ -3,7 +3,6 @@
 #include "core/input_error.hpp"
 #include "simulation/crew.hpp"
 
-#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -41,15 +40,14 @@ public:
     const Ranks& ranks() const { return ranks_; }
     Engine& engine() const { return *engine_; }
 
-    /// What one rank fails to do in the middle of an order would leave the others waiting for ever.
+    /// For what ranks do with each other: should one fail in the middle, the others would wait for ever, and
+    /// all end at once. (What each does by itself they agree on: parallel/agreement.hpp.)
     template <class Body>
     auto together(const Body& body) const {
         try {
             return body();
         } catch (const std::exception& error) {
-            const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-            std::cerr << "vesica: " << (memory ? "not enough memory" : error.what()) << std::endl;
-            ranks_.abandon(1);
+            ranks_.abandon(1, error);
         }
     }
 
@@ -61,25 +59,30 @@ public:
 
     void all(Order order) {
         announce(order);
-        together([&] { carry_out(order); });
+        carry_out(order);
     }
 
-    /// Both sides of the orders that have arguments: those of the rank that leads count.
+    /// Both sides of the orders that have arguments: those of the rank that leads count. What all have agreed
+    /// cannot be done, all throw.
     void build(const std::string& case_text, const std::string& name, const CrewSettings& settings,
                const std::string& from);
     void load(const std::string& checkpoint, const StateChange& change);
     void write(const StateFile& file, const EngineState* own_part);
     Digest digest(const std::string& file, std::uint64_t offset, std::uint64_t length,
                   const std::string& target);
+    DenseField field(const std::string& name);
     SharedOut shared_out();
 
 private:
-    SharedOut share_report() const;
+    SharedOut gather_reports() const;
+    BlockLayout balanced_layout(const Parameters& parameters, BlockLayout layout, const std::string& from,
+                                int threads) const;
 
     Ranks ranks_;
     Vec3<int> blocks_{};
     std::shared_ptr<const Neighbourhood> neighbourhood_;
     std::unique_ptr<Engine> engine_;
+    RankTraffic before_stepping_;
 };
 
 } // namespace vesica

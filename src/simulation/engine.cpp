@@ -1,6 +1,7 @@
 #include "simulation/engine.hpp"
 
 #include "core/input_error.hpp"
+#include "parallel/agreement.hpp"
 #include "simulation/engine_entries.hpp"
 #include "simulation/instruction_set.hpp"
 
@@ -44,7 +45,9 @@ std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
 std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
                                     std::shared_ptr<const Neighbourhood> neighbourhood,
                                     std::string_view instruction_set) {
-    EngineSetup setup = make_engine_setup(parameters, threads, std::move(neighbourhood));
+    const Ranks ranks = neighbourhood->ranks();
+    EngineSetup setup =
+        agreed(ranks, [&] { return make_engine_setup(parameters, threads, std::move(neighbourhood)); });
     for (const InstructionSet& set : instruction_sets) {
         if (!instruction_set.empty() && set.name != instruction_set)
             continue;

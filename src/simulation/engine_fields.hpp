@@ -46,15 +46,13 @@ DenseField LatticeEngine<Real>::gathered(const DenseField& part) const {
     if (ranks().count() == 1)
         return part;
     const std::vector<CellBox> blocks = ranks().gather_all(block_.own);
-    const auto parts = ranks().gather(std::as_bytes(std::span(part.values)));
-    if (!ranks().leads())
-        return {};
     DenseField whole{block_.box, part.components, {}};
-    whole.values.resize(static_cast<std::size_t>(CellBox{{}, block_.box}.volume() * part.components));
-    for (std::size_t rank = 0; rank < parts.size(); ++rank) {
-        const CellBox& block = blocks[rank];
+    ranks().gather(std::as_bytes(std::span(part.values)), [&](int rank, std::span<const std::byte> bytes) {
+        if (whole.values.empty())
+            whole.values.resize(static_cast<std::size_t>(CellBox{{}, block_.box}.volume() * part.components));
+        const CellBox& block = blocks[static_cast<std::size_t>(rank)];
         const std::size_t row = static_cast<std::size_t>(block.size.x * part.components) * sizeof(double);
-        const std::byte* from = parts[rank].data();
+        const std::byte* from = bytes.data();
         for (int z = 0; z < block.size.z; ++z)
             for (int y = 0; y < block.size.y; ++y, from += row) {
                 const std::int64_t cell =
@@ -62,8 +60,8 @@ DenseField LatticeEngine<Real>::gathered(const DenseField& part) const {
                     block.begin.x;
                 std::memcpy(whole.values.data() + cell * part.components, from, row);
             }
-    }
-    return whole;
+    });
+    return ranks().leads() ? whole : DenseField{};
 }
 
 template <class Real>

@@ -31,11 +31,11 @@ std::vector<T> gathered_list(const Ranks& ranks, std::vector<T> own, const Less&
     if (ranks.count() == 1)
         return own;
     std::vector<T> all;
-    for (const std::vector<std::byte>& bytes : ranks.gather(std::as_bytes(std::span(own)))) {
-        std::vector<T> part(bytes.size() / sizeof(T));
-        std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(std::span(part)).begin());
-        all.insert(all.end(), part.begin(), part.end());
-    }
+    ranks.gather(std::as_bytes(std::span(own)), [&](int, std::span<const std::byte> bytes) {
+        const std::size_t before = all.size();
+        all.resize(before + bytes.size() / sizeof(T));
+        std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(std::span(all).subspan(before)).begin());
+    });
     std::sort(all.begin(), all.end(), less);
     return all;
 }

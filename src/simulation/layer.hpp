@@ -20,6 +20,8 @@
 #include "simulation/membrane_model.hpp"
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 namespace vesica {
 
@@ -279,20 +281,33 @@ private:
 
     const Ranks& ranks() const { return neighbourhood_->ranks(); }
 
-    /// All that the area's constraint asks for, in one message.
-    void sum_over_ranks(const LaneSum<38>& gaussian, const LaneSum<38>& square) {
-        std::uint64_t totals[3] = {area_.total(), gaussian.total(), square.total()};
-        ranks().sum(totals);
-        sums_.raw_area = LaneSum<38>::value_of(totals[0]);
-        sums_.gaussian_curvature = LaneSum<38>::value_of(totals[1]);
-        sums_.square_mean_curvature = LaneSum<38>::value_of(totals[2]);
+    /// Values of sums over the ranks, in one message.
+    template <class... Sum>
+    std::array<double, sizeof...(Sum)> over_ranks(const Sum&... sums) const {
+        auto halves = std::tuple(sums.halves()...);
+        return std::apply(
+            [&](auto&... half) {
+                std::array words = {half.low..., half.high...};
+                ranks().sum(words);
+                std::size_t k = 0;
+                (..., (half.low = words[k], half.high = words[k + sizeof...(Sum)], ++k));
+                return std::array{half.value()...};
+            },
+            halves);
     }
 
-    void set_leaked(const LaneSum<50>& leaked, const LaneSum<38>& layer) {
-        std::uint64_t totals[2] = {leaked.total(), layer.total()};
-        ranks().sum(totals);
-        leaked_ += settings_.reference_density * LaneSum<50>::value_of(totals[0]);
-        layer_sum_ = LaneSum<38>::value_of(totals[1]);
+    /// All that the area's constraint asks for.
+    void set_integrals(const LaneSum<38>& gaussian, const LaneSum<38>& square) {
+        const auto [area, gaussian_curvature, square_mean_curvature] = over_ranks(area_, gaussian, square);
+        sums_ = {area, gaussian_curvature, square_mean_curvature};
+    }
+
+    void set_leaked(const LaneSum<50>& more, const LaneSum<38>& layer) {
+        if (empty())
+            return;
+        const auto [leaked, layer_sum] = over_ranks(more, layer);
+        leaked_ += settings_.reference_density * leaked;
+        layer_sum_ = layer_sum;
     }
 
     /// body(tiles) or body(tiles, index of the first, thread) for all tiles with cells in `level`.

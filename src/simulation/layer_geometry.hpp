@@ -46,7 +46,7 @@ void Layer<Real>::curvatures(int threads) {
         square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
     };
     share(reach::raw_curvature, threads, {fields_.raw_H0}, bend);
-    sum_over_ranks(merged(gaussian), merged(square));
+    set_integrals(merged(gaussian), merged(square));
     if (!mapped())
         return;
     share(reach::curvature, threads, {fields_.sharp}, [&]<class Tiles>(const Tiles& t) {

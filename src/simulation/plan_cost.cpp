@@ -1,7 +1,7 @@
 #include "simulation/plan_cost.hpp"
 
 #include <omp.h>
-#include <unistd.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +10,7 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace vesica {
 
@@ -163,14 +164,11 @@ int default_threads() {
 }
 
 int default_threads(const Ranks& ranks) {
-    if (ranks.count() == 1 || std::getenv("OMP_NUM_THREADS") != nullptr)
-        return default_threads();
-    // Ranks may be bound to processors of their own, or to the same ones.
-    const std::int64_t bound = omp_get_num_procs();
-    const std::int64_t asked_for = ranks.sum_on_this_machine(bound);
-    const std::int64_t there = std::max<std::int64_t>(sysconf(_SC_NPROCESSORS_ONLN), 1);
-    return static_cast<int>(
-        std::clamp<std::int64_t>(bound * there / std::max<std::int64_t>(asked_for, 1), 1, bound));
+    std::vector<std::uint64_t> mask(sizeof(cpu_set_t) / sizeof(std::uint64_t), 0);
+    sched_getaffinity(0, sizeof(cpu_set_t), reinterpret_cast<cpu_set_t*>(mask.data()));
+    const int share = ranks.share_of_processors(mask); // by all, though some may have been told otherwise
+    const bool told = std::getenv("OMP_NUM_THREADS") != nullptr;
+    return told || ranks.count() == 1 ? default_threads() : share;
 }
 
 } // namespace vesica

@@ -17,7 +17,7 @@ public:
         : neighbourhood_(neighbourhood), halo_(f, grid, neighbourhood.block()), messages_(neighbourhood) {
         std::vector<std::size_t> outgoing;
         std::vector<std::size_t> incoming;
-        for (const Neighbourhood::Neighbour& neighbour : neighbourhood.neighbours()) {
+        for (const Neighbourhood::Neighbour& neighbour : neighbourhood.linked_neighbours()) {
             outgoing.push_back(place(neighbour.outgoing, outgoing.size(), outgoing_));
             incoming.push_back(place(neighbour.incoming, incoming.size(), incoming_));
         }

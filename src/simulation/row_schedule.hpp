@@ -15,8 +15,8 @@ namespace vesica {
 class RowSchedule {
 public:
     /// Blocks of `rows_in_block` rows along y, each through all z: three planes of a block are what a cache
-    /// should hold. If the rows' ends wait for other processes
-    /// (`ends_wait`), none settles before the boundary.
+    /// should hold. Where the rows' ends wait for other ranks (`ends_wait`) no row settles before the
+    /// boundary.
     RowSchedule(const Vec3<int>& size, int rows_in_block, bool ends_wait = false)
         : size_(size), block_(rows_in_block), ends_wait_(ends_wait) {}
 

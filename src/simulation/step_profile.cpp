@@ -13,7 +13,7 @@ double StepProfile::per_cell(int threads) const {
 }
 
 double StepProfile::per_interface_cell(int threads) const {
-    return core_nanoseconds(total() - of(StepPart::fluid), interface_cells, threads);
+    return core_nanoseconds(total() - of(StepPart::fluid) - of(StepPart::waiting), interface_cells, threads);
 }
 
 std::map<std::string, double> StepProfile::numbers(int threads) const {
@@ -36,11 +36,14 @@ std::string StepProfile::text(int threads) const {
     text += fmt::format("  {:<12}{:>12}{:>9}{:>14}\n", "part", "ms a step", "share", "ns a cell");
     for (std::size_t k = 0; k < step_part_count; ++k) {
         const auto part = static_cast<StepPart>(k);
+        text += fmt::format("  {:<12}{:>12.3f}{:>7.1f} %", name_of(part), 1e3 * of(part) / count,
+                            100.0 * of(part) / total());
         const bool everywhere = part == StepPart::fluid;
-        text += fmt::format("  {:<12}{:>12.3f}{:>7.1f} %{:>14.1f}  of {}\n", name_of(part),
-                            1e3 * of(part) / count, 100.0 * of(part) / total(),
-                            core_nanoseconds(of(part), everywhere ? cells : interface_cells, threads),
-                            everywhere ? "all cells" : "the interface's cells");
+        text += part == StepPart::waiting
+                    ? "                for other ranks\n"
+                    : fmt::format("{:>14.1f}  of {}\n",
+                                  core_nanoseconds(of(part), everywhere ? cells : interface_cells, threads),
+                                  everywhere ? "all cells" : "the interface's cells");
     }
     text += fmt::format("  {:<12}{:>12.3f}\n", "all", 1e3 * total() / count);
     text += fmt::format("  a cell costs {:.1f} ns, one of the interface ({:.1f} % of all) {:.1f} ns more\n",

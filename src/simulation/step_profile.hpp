@@ -67,8 +67,10 @@ public:
         part_ = static_cast<std::size_t>(part);
     }
 
-    /// So much of the time of the part that is going on is another's.
+    /// So much of the time of the part that is going on is another's. Nothing outside a step.
     void concede(StepPart to, double seconds) {
+        if (!running_)
+            return;
         profile_.seconds[static_cast<std::size_t>(to)] += seconds;
         profile_.seconds[part_] -= seconds;
     }

@@ -12,9 +12,9 @@ extern "C" void vesica_note_signal(int signal) {
     received_signal = signal;
 }
 
-void install(int signal, int flags, struct sigaction& previous) {
+void install(int signal, int flags, struct sigaction& previous, void (*handler)(int) = vesica_note_signal) {
     struct sigaction action {};
-    action.sa_handler = vesica_note_signal;
+    action.sa_handler = handler;
     // Interrupted reads and writes are taken up again: a signal must not look like a full disk.
     action.sa_flags = SA_RESTART | flags;
     sigemptyset(&action.sa_mask);
@@ -28,12 +28,14 @@ StopSignals::StopSignals() {
     install(SIGINT, static_cast<int>(SA_RESETHAND), previous_interrupt_);
     install(SIGTERM, 0, previous_terminate_);
     install(SIGUSR1, 0, previous_user_);
+    install(SIGXFSZ, 0, previous_limit_, SIG_IGN);
 }
 
 StopSignals::~StopSignals() {
     sigaction(SIGINT, &previous_interrupt_, nullptr);
     sigaction(SIGTERM, &previous_terminate_, nullptr);
     sigaction(SIGUSR1, &previous_user_, nullptr);
+    sigaction(SIGXFSZ, &previous_limit_, nullptr);
 }
 
 std::optional<std::string> StopSignals::received() {

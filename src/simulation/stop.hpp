@@ -8,8 +8,9 @@
 namespace vesica {
 
 /// While it lives, SIGINT, SIGTERM and SIGUSR1 ask the run to stop at the end of the step instead of ending
-/// the process. The second SIGINT finds the default action again and ends it at once. Restores the previous
-/// actions when it goes. One at a time.
+/// the process. The second SIGINT finds the default action again and ends it at once. A limit on the size of files
+/// (SIGXFSZ) becomes an error of the write that meets it. Restores the previous actions when it goes. One at a
+/// time.
 class StopSignals {
 public:
     StopSignals();
@@ -24,6 +25,7 @@ private:
     struct sigaction previous_interrupt_ {};
     struct sigaction previous_terminate_ {};
     struct sigaction previous_user_ {};
+    struct sigaction previous_limit_ {};
 };
 
 /// Everything that may ask a run to stop early: a signal, or the end of its wall time.

@@ -51,9 +51,9 @@ class Program(unittest.TestCase):
                               timeout=300, check=False, env={**os.environ, **(environment or {})})
         return done.returncode, done.stdout, done.stderr
 
-    def refused(self, *arguments, saying, status=2):
+    def refused(self, *arguments, saying, status=2, environment=None):
         """Expect this status, nothing but words on stderr, and each of `saying` in them."""
-        returned, _, errors = self.vesica(*arguments)
+        returned, _, errors = self.vesica(*arguments, environment=environment)
         self.assertEqual(returned, status, errors)
         for part in saying if isinstance(saying, (list, tuple)) else [saying]:
             self.assertIn(part, errors)

@@ -17,5 +17,5 @@ def environment():
 
 
 def mpirun(ranks):
-    """The words before the program's."""
-    return ["mpirun", "-n", str(ranks)] if ranks > 1 else []
+    """The words before the program's; none for 0 ranks."""
+    return ["mpirun", "-n", str(ranks)] if ranks else []

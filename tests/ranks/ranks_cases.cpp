@@ -1,3 +1,4 @@
+#include "parallel/agreement.hpp"
 #include "parallel/neighbourhood.hpp"
 
 #include <catch2/catch.hpp>
@@ -34,14 +35,54 @@ TEST_CASE("sums, votes, broadcasts and gathered values reach whom they should") 
     CHECK(ranks.broadcast(ranks.leads() ? "from the first" : "mine") == "from the first");
     CHECK(ranks.broadcast(std::string()).empty());
 
-    const auto gathered = ranks.gather(bytes_of(std::string(rank, 'x')));
-    CHECK(gathered.size() == (ranks.leads() ? count : 0));
-    for (std::size_t k = 0; k < gathered.size(); ++k)
-        CHECK(text_of(gathered[k]) == std::string(k, 'x'));
+    std::uint64_t gathered = 0;
+    ranks.gather(bytes_of(std::string(rank, 'x')), [&](int from, std::span<const std::byte> bytes) {
+        CHECK(static_cast<std::uint64_t>(from) == gathered++);
+        CHECK(text_of({bytes.begin(), bytes.end()}) == std::string(static_cast<std::size_t>(from), 'x'));
+    });
+    CHECK(gathered == (ranks.leads() ? count : 0));
     const std::vector<double> all = ranks.gather_all(0.5 * static_cast<double>(rank));
     REQUIRE(all.size() == count);
     for (std::size_t k = 0; k < all.size(); ++k)
         CHECK(all[k] == 0.5 * static_cast<double>(k));
+}
+
+TEST_CASE("what fails on one rank fails on all, in the words of the first") {
+    const Ranks ranks = Ranks::all();
+    const int last = ranks.count() - 1;
+    const auto words = [&](const auto& work) -> std::string {
+        try {
+            agree(ranks, work);
+            return "done";
+        } catch (const InputError& error) {
+            return std::string("input: ") + error.what();
+        } catch (const RunError& error) {
+            return std::string("run: ") + error.what();
+        }
+    };
+    CHECK(words([] {}) == "done");
+    CHECK(words([&] {
+              if (ranks.rank() == last)
+                  throw RunError("no disk");
+          }) == "run: no disk (rank " + std::to_string(last) + ")");
+    CHECK(words([] { throw InputError("case.toml:1:1: wrong"); }) == "input: case.toml:1:1: wrong");
+    CHECK(words([&] {
+              if (ranks.rank() > 0)
+                  throw std::bad_alloc();
+          }) == "run: not enough memory (rank 1)");
+    CHECK(agreed(ranks, [&] { return ranks.rank(); }) == ranks.rank());
+}
+
+TEST_CASE("the processors of a machine are shared by the ranks that may use them") {
+    const Ranks ranks = Ranks::all();
+    const auto count = static_cast<std::uint64_t>(ranks.count());
+    const auto mask = [](std::uint64_t processors) {
+        return std::vector<std::uint64_t>{(1ull << processors) - 1, 0};
+    };
+    CHECK(ranks.share_of_processors(mask(2 * count)) == 2); // all may use the same
+    CHECK(ranks.share_of_processors(mask(1)) == 1);         // fewer than ranks
+    const auto rank = static_cast<std::uint64_t>(ranks.rank());
+    CHECK(ranks.share_of_processors(std::vector<std::uint64_t>{7ull << (3 * rank), 0}) == 3); // each its own
 }
 
 TEST_CASE("neighbours around the block get what is meant for them, whatever its length") {
