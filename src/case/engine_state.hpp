@@ -3,22 +3,88 @@
 #include "case/parameters.hpp"
 #include "core/cell_box.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vesica {
 
-/// Everything that must be kept to continue bit for bit, of a part of the box. Arrays are in the part's
-/// canonical order (z, y, x), independent of threads and instruction sets.
-struct EngineState {
+/// What a state is of, and what of it belongs to no cell.
+struct StateHead {
     std::int64_t step = 0;
     Precision precision = Precision::double_precision;
-    Vec3<int> size{};                             ///< of the whole box
-    CellBox part{};                               ///< the cells the arrays are of
-    std::vector<std::vector<double>> populations; ///< 19 x cells, f_i - t_i rho0
-    std::vector<double> minority;                 ///< signed minority colour fraction per cell
-    std::vector<std::uint8_t> band;  ///< per cell: bit 0 core at the last rebuild, bit 1 inside (red) side
+    Vec3<int> size{};                ///< of the whole box
+    CellBox part{};                  ///< the cells the arrays are of
     std::vector<double> controllers; ///< area constraint state, vesicle by vesicle
 };
+
+/// Everything that must be kept to continue bit for bit, of a part of the box. Arrays are in the part's
+/// canonical order (z, y, x), independent of threads and instruction sets.
+struct EngineState : StateHead {
+    std::vector<std::vector<double>> populations; ///< 19 x cells, f_i - t_i rho0
+    std::vector<double> minority;                 ///< signed minority colour fraction per cell
+    std::vector<std::uint8_t> band; ///< per cell: bit 0 core at the last rebuild, bit 1 inside (red) side
+};
+
+/// A state that gives its arrays plane by plane, z from 0 in its part, so that whoever writes them needs no
+/// copy of the whole.
+class StatePlanes {
+public:
+    StatePlanes() = default;
+    StatePlanes(const StatePlanes&) = delete;
+    StatePlanes& operator=(const StatePlanes&) = delete;
+    virtual ~StatePlanes() = default;
+
+    virtual const StateHead& head() const = 0;
+    virtual std::size_t population_count() const = 0;
+    virtual void population(std::size_t i, int z, std::span<double> plane) const = 0;
+    virtual void minority(int z, std::span<double> plane) const = 0;
+    virtual void band(int z, std::span<std::uint8_t> plane) const = 0;
+};
+
+/// The planes of a state in memory, which must outlive them.
+class PlanesOfState final : public StatePlanes {
+public:
+    explicit PlanesOfState(const EngineState& state) : state_(state) {}
+
+    const StateHead& head() const override { return state_; }
+    std::size_t population_count() const override { return state_.populations.size(); }
+    void population(std::size_t i, int z, std::span<double> plane) const override {
+        copy(state_.populations[i], z, plane);
+    }
+    void minority(int z, std::span<double> plane) const override { copy(state_.minority, z, plane); }
+    void band(int z, std::span<std::uint8_t> plane) const override { copy(state_.band, z, plane); }
+
+private:
+    template <class T>
+    static void copy(const std::vector<T>& values, int z, std::span<T> plane) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(plane.size()) * z;
+        std::copy(first, first + static_cast<std::ptrdiff_t>(plane.size()), plane.begin());
+    }
+
+    const EngineState& state_;
+};
+
+/// The same as arrays.
+inline EngineState collected(const StatePlanes& planes) {
+    EngineState state;
+    static_cast<StateHead&>(state) = planes.head();
+    const Vec3<int> size = state.part.size;
+    const auto plane = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    const auto collect = [&]<class T>(std::vector<T>& values, const auto& copy_plane) {
+        values.resize(plane * static_cast<std::size_t>(size.z));
+        for (int z = 0; z < size.z; ++z)
+            copy_plane(z, std::span(values).subspan(plane * static_cast<std::size_t>(z), plane));
+    };
+    state.populations.resize(planes.population_count());
+    for (std::size_t i = 0; i < state.populations.size(); ++i)
+        collect(state.populations[i],
+                [&](int z, std::span<double> values) { planes.population(i, z, values); });
+    collect(state.minority, [&](int z, std::span<double> values) { planes.minority(z, values); });
+    collect(state.band, [&](int z, std::span<std::uint8_t> values) { planes.band(z, values); });
+    return state;
+}
 
 } // namespace vesica

@@ -11,20 +11,24 @@
 
 namespace vesica {
 
-/// All that `resume` needs.
-struct Checkpoint {
-    EngineState engine;    ///< of the whole box, or of a rank's part
+/// What a checkpoint holds beside the state.
+struct CheckpointNotes {
     std::string case_text; ///< the case in TOML, with all that the command line changed
     std::map<std::string, std::vector<double>> notes; ///< what schedules and measures remember, by name
     std::string program_version;
 };
 
+/// All that `resume` needs.
+struct Checkpoint : CheckpointNotes {
+    EngineState engine;
+};
+
 /// Writes one file, whole or not at all; the same state gives the same bytes, however many ranks share it.
 /// Numbers are kept bit for bit: arrays whose every value is a float are stored as floats in a single
-/// precision run. With colleagues the checkpoint has the state of the leading rank's part, and they write
-/// theirs. Throws RunError (no space, which is asked for first; vanished directory).
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                      Colleagues& colleagues);
+/// run. With colleagues the state is that of the leading rank's part, and they write theirs. Throws RunError
+/// (no space, which is asked for first; vanished directory).
+void write_checkpoint(const std::filesystem::path& path, const CheckpointNotes& notes,
+                      const StatePlanes& state, Colleagues& colleagues);
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Verifies the digest of the whole file before HDF5 opens it. Throws RunError naming the file and what is

@@ -23,14 +23,16 @@ CheckpointStore::CheckpointStore(std::filesystem::path directory, int keep)
 
 std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint) const {
     Colleagues nobody;
-    return write(checkpoint, nobody);
+    return write(checkpoint, PlanesOfState(checkpoint.engine), nobody);
 }
 
-std::filesystem::path CheckpointStore::write(const Checkpoint& checkpoint, Colleagues& colleagues) const {
-    const auto path = checkpoint_path(directory_, checkpoint.engine.step);
-    write_checkpoint(path, checkpoint, colleagues);
+std::filesystem::path CheckpointStore::write(const CheckpointNotes& notes, const StatePlanes& state,
+                                             Colleagues& colleagues) const {
+    const std::int64_t written = state.head().step;
+    const auto path = checkpoint_path(directory_, written);
+    write_checkpoint(path, notes, state, colleagues);
     auto steps = list_steps(directory_, "step_", ".h5");
-    std::erase_if(steps, [&](std::int64_t step) { return step > checkpoint.engine.step; });
+    std::erase_if(steps, [&](std::int64_t step) { return step > written; });
     for (std::size_t i = 0; i + static_cast<std::size_t>(keep_) < steps.size(); ++i) {
         std::error_code ignored; // one checkpoint too many harms nobody
         std::filesystem::remove(checkpoint_path(directory_, steps[i]), ignored);

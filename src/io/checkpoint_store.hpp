@@ -17,7 +17,8 @@ public:
     /// Writes, and only then removes older checkpoints beyond the `keep` newest up to this step. Those of
     /// later steps (a resumed run went back behind damaged ones) do not count and stay until they are written
     /// anew. Returns the file. Throws RunError.
-    std::filesystem::path write(const Checkpoint& checkpoint, Colleagues& colleagues) const;
+    std::filesystem::path write(const CheckpointNotes& notes, const StatePlanes& state,
+                                Colleagues& colleagues) const;
     std::filesystem::path write(const Checkpoint& checkpoint) const;
 
 private:

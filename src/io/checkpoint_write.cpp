@@ -36,8 +36,16 @@ bool all_floats(Row values) {
     });
 }
 
-bool all_floats(const std::vector<std::vector<double>>& rows) {
-    return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return all_floats(Row(row)); });
+/// Of a part's planes, copied by `copy_plane` one after the other.
+template <class CopyPlane>
+bool all_floats(const CellBox& part, const CopyPlane& copy_plane) {
+    std::vector<double> plane(static_cast<std::size_t>(part.size.x) * static_cast<std::size_t>(part.size.y));
+    for (int z = 0; z < part.size.z; ++z) {
+        copy_plane(z, plane);
+        if (!all_floats(Row(plane)))
+            return false;
+    }
+    return true;
 }
 
 class Structure {
@@ -45,17 +53,24 @@ public:
     Structure(hid_t file, const Path& path) : file_(file), path_(path) {}
 
     /// The state's arrays, in one piece each; whoever has their parts fills them.
-    StateFile add_state(const EngineState& state) {
-        const auto cells = static_cast<hsize_t>(CellBox{{}, state.size}.volume());
-        const bool single = state.precision == Precision::single_precision;
+    StateFile add_state(const StatePlanes& state) {
+        const StateHead& head = state.head();
+        const auto cells = static_cast<hsize_t>(CellBox{{}, head.size}.volume());
+        const bool single = head.precision == Precision::single_precision;
+        const std::size_t count = state.population_count();
         StateFile places;
-        places.float_populations = single && all_floats(state.populations);
-        places.float_minority = single && all_floats(Row(state.minority));
+        places.float_populations = single;
+        for (std::size_t i = 0; i < count && places.float_populations; ++i)
+            places.float_populations =
+                all_floats(head.part, [&](int z, std::span<double> plane) { state.population(i, z, plane); });
+        places.float_minority = single && all_floats(head.part, [&](int z, std::span<double> plane) {
+                                    state.minority(z, plane);
+                                });
         places.band = place(file_, "band", H5T_STD_U8LE, {cells});
-        places.populations = place(file_, "populations", real_type(places.float_populations),
-                                   {state.populations.size(), state.populations.empty() ? 0 : cells});
+        places.populations =
+            place(file_, "populations", real_type(places.float_populations), {count, count == 0 ? 0 : cells});
         places.minority = place(file_, "minority", real_type(places.float_minority), {cells});
-        add_reals(file_, "controllers", state.controllers);
+        add_reals(file_, "controllers", head.controllers);
         return places;
     }
     void add_reals(hid_t parent, const std::string& name, Row values) {
@@ -80,11 +95,10 @@ private:
     std::vector<PlacedArray> small_;
 };
 
-std::uint64_t bytes_needed(const Checkpoint& checkpoint) {
-    const EngineState& state = checkpoint.engine;
-    const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, state.size}.volume());
-    const std::uint64_t width = state.precision == Precision::single_precision ? 4 : 8;
-    std::uint64_t bytes = cells * ((state.populations.size() + 1) * width + 1);
+std::uint64_t bytes_needed(const CheckpointNotes& checkpoint, const StatePlanes& state) {
+    const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, state.head().size}.volume());
+    const std::uint64_t width = state.head().precision == Precision::single_precision ? 4 : 8;
+    std::uint64_t bytes = cells * ((state.population_count() + 1) * width + 1);
     for (const auto& [name, values] : checkpoint.notes)
         bytes += values.size() * sizeof(double);
     return bytes + checkpoint.case_text.size() + (std::uint64_t{1} << 20);
@@ -94,24 +108,25 @@ std::uint64_t bytes_needed(const Checkpoint& checkpoint) {
 
 void write_checkpoint(const Path& path, const Checkpoint& checkpoint) {
     Colleagues nobody;
-    write_checkpoint(path, checkpoint, nobody);
+    write_checkpoint(path, checkpoint, PlanesOfState(checkpoint.engine), nobody);
 }
 
-void write_checkpoint(const Path& path, const Checkpoint& checkpoint, Colleagues& colleagues) {
+void write_checkpoint(const Path& path, const CheckpointNotes& checkpoint, const StatePlanes& state,
+                      Colleagues& colleagues) {
     const QuietHdf5 quiet;
-    const EngineState& state = checkpoint.engine;
-    const bool single = state.precision == Precision::single_precision;
-    const std::uint64_t needed = bytes_needed(checkpoint);
+    const StateHead& head = state.head();
+    const bool single = head.precision == Precision::single_precision;
+    const std::uint64_t needed = bytes_needed(checkpoint, state);
     require_space(path.parent_path(), needed);
 
     AtomicFile target(path);
     target.try_space(needed);
     Hdf5File file = create_hdf5(target.temporary(), seal_bytes, path);
-    write_attribute(file, "step", state.step, path);
+    write_attribute(file, "step", head.step, path);
     write_attribute(file, "precision_bits", std::int64_t{single ? 32 : 64}, path);
-    write_attribute(file, "size_x", std::int64_t{state.size.x}, path);
-    write_attribute(file, "size_y", std::int64_t{state.size.y}, path);
-    write_attribute(file, "size_z", std::int64_t{state.size.z}, path);
+    write_attribute(file, "size_x", std::int64_t{head.size.x}, path);
+    write_attribute(file, "size_y", std::int64_t{head.size.y}, path);
+    write_attribute(file, "size_z", std::int64_t{head.size.z}, path);
     write_attribute(file, "program_version", checkpoint.program_version, path);
     Structure structure(file, path);
     structure.add_text("case", checkpoint.case_text);
@@ -130,7 +145,7 @@ void write_checkpoint(const Path& path, const Checkpoint& checkpoint, Colleagues
     colleagues.write_state(places, state);
     seal(target,
          fmt::format("Vesica {} checkpoint of step {}, HDF5 after {} bytes\n", checkpoint.program_version,
-                     state.step, seal_bytes),
+                     head.step, seal_bytes),
          colleagues);
     target.commit();
 }

@@ -76,6 +76,10 @@ Hdf5File create_hdf5(const std::filesystem::path& location, std::uint64_t user_b
     // Closing the properties clears HDF5's reasons for a failure: they must outlive the check.
     const Hdf5Properties creation = creation_properties(user_block, path);
     const Hdf5Properties access = access_properties();
+    // Large arrays begin at pages: several writers do not meet in one, and copies are faster.
+    constexpr hsize_t large = hsize_t{1} << 16;
+    constexpr hsize_t page = 4096;
+    hdf5_checked(H5Pset_alignment(access, large, page), path, "cannot create");
     const hid_t id = H5Fcreate(location.c_str(), H5F_ACC_TRUNC, creation, access);
     return Hdf5File(hdf5_checked(id, path, "cannot create"));
 }

@@ -88,6 +88,11 @@ std::uint64_t length_of(const FileDescriptor& file, const std::filesystem::path&
     return static_cast<std::uint64_t>(status.st_size);
 }
 
+void start_writeback(const FileDescriptor& file) {
+    ::sync_file_range(file.number(), 0, 0,
+                      SYNC_FILE_RANGE_WRITE); // a hint: whoever ignores it loses time only
+}
+
 void synchronise(const FileDescriptor& file, const std::filesystem::path& path) {
     // EINVAL: the file system (a pipe, some network mounts) knows no such thing, and there is nothing to wait
     // for.

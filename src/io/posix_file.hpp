@@ -48,6 +48,9 @@ std::size_t read_at(const FileDescriptor& file, std::uint64_t offset, char* into
 /// Length in bytes. Throws RunError when it is not a regular file.
 std::uint64_t length_of(const FileDescriptor& file, const std::filesystem::path& path);
 
+/// Asks for the bytes written so far to be on their way to the device, so that less is left for synchronise.
+void start_writeback(const FileDescriptor& file);
+
 /// Waits until the bytes are on the device.
 void synchronise(const FileDescriptor& file, const std::filesystem::path& path);
 

@@ -8,82 +8,92 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
-#include <string_view>
+#include <type_traits>
 
 namespace vesica {
 namespace {
 
 using Path = std::filesystem::path;
 
-/// A part of a box that lies in memory plane by plane, as runs of cells that lie in one piece in the whole
-/// box too: body(first cell in the box, first cell in the part, cells).
-template <class Body>
-void for_each_run(const Vec3<int>& box, const CellBox& part, const Body& body) {
-    const bool whole_rows = part.size.x == box.x;
-    const bool whole_planes = whole_rows && part.size.y == box.y;
-    const std::int64_t plane = std::int64_t{part.size.x} * part.size.y;
-    const auto place = [&](int y, int z) {
-        return (std::int64_t{part.begin.z + z} * box.y + part.begin.y + y) * box.x + part.begin.x;
-    };
-    if (whole_planes) {
-        body(place(0, 0), std::int64_t{0}, part.volume());
-        return;
-    }
-    for (int z = 0; z < part.size.z; ++z) {
-        if (whole_rows)
-            body(place(0, z), z * plane, plane);
-        for (int y = 0; y < part.size.y && !whole_rows; ++y)
-            body(place(y, z), z * plane + std::int64_t{y} * part.size.x, std::int64_t{part.size.x});
-    }
-}
-
-/// Takes a rank's part of an array to its places in the file by plain writes. MPI's own collective writes are
-/// not to be trusted with this: Open MPI's have been seen to report success where a rank could not write.
+/// Takes a rank's part of an array to its places in the file, plane by plane, by plain writes. MPI's own
+/// collective writes are not to be trusted with this: Open MPI's have been seen to report success where a
+/// rank could not write.
 class PartWriter {
 public:
-    PartWriter(const StateFile& file, const EngineState& state)
+    PartWriter(const StateFile& file, const StateHead& head)
         : target_(file.target),
-          box_(state.size),
-          part_(state.part),
+          box_(head.size),
+          part_(head.part),
+          plane_(static_cast<std::size_t>(part_.size.x) * static_cast<std::size_t>(part_.size.y)),
           file_(open_file(file.temporary, O_WRONLY, "cannot write")) {}
 
-    template <class T>
-    void write(std::uint64_t offset, std::span<const T> values) const {
-        for_each_run(box_, part_, [&](std::int64_t place, std::int64_t first, std::int64_t count) {
-            const auto run = values.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
-            write_at(file_, offset + static_cast<std::uint64_t>(place) * sizeof(T),
-                     {reinterpret_cast<const char*>(run.data()), run.size_bytes()}, target_);
-        });
-    }
-
-    void write(std::uint64_t offset, const std::vector<double>& values, bool as_floats) const {
-        if (as_floats)
-            write(offset, std::span<const float>(std::vector<float>(values.begin(), values.end())));
-        else
-            write(offset, std::span<const double>(values));
+    template <class Stored, class Value, class CopyPlane>
+    void write(std::uint64_t offset, const CopyPlane& copy_plane) const {
+        std::vector<Value> values(plane_);
+        std::vector<Stored> stored(std::is_same_v<Stored, Value> ? 0 : plane_);
+        for (int z = 0; z < part_.size.z; ++z) {
+            copy_plane(z, std::span(values));
+            if constexpr (std::is_same_v<Stored, Value>) {
+                write_plane<Stored>(offset, z, values);
+            } else {
+                std::transform(values.begin(), values.end(), stored.begin(),
+                               [](Value value) { return static_cast<Stored>(value); });
+                write_plane<Stored>(offset, z, stored);
+            }
+        }
+        start_writeback(file_);
     }
 
     void synchronise() const { vesica::synchronise(file_, target_); }
 
 private:
+    /// As much at once as lies in one piece.
+    template <class T>
+    void write_plane(std::uint64_t offset, int z, std::span<const T> plane) const {
+        const bool whole = part_.size.x == box_.x;
+        const int pieces = whole ? 1 : part_.size.y;
+        const std::size_t length = whole ? plane.size() : static_cast<std::size_t>(part_.size.x);
+        for (int y = 0; y < pieces; ++y) {
+            const std::int64_t first =
+                (std::int64_t{part_.begin.z + z} * box_.y + part_.begin.y + y) * box_.x + part_.begin.x;
+            const auto piece = plane.subspan(static_cast<std::size_t>(y) * length, length);
+            write_at(file_, offset + static_cast<std::uint64_t>(first) * sizeof(T),
+                     {reinterpret_cast<const char*>(piece.data()), piece.size_bytes()}, target_);
+        }
+    }
+
     const Path& target_;
     Vec3<int> box_;
     CellBox part_;
+    std::size_t plane_;
     FileDescriptor file_;
 };
 
+template <class CopyPlane>
+void write_reals(const PartWriter& writer, std::uint64_t offset, bool as_floats,
+                 const CopyPlane& copy_plane) {
+    if (as_floats)
+        writer.write<float, double>(offset, copy_plane);
+    else
+        writer.write<double, double>(offset, copy_plane);
+}
+
 } // namespace
 
-void write_state(const StateFile& file, const EngineState& part, const Ranks& ranks) {
+void write_state(const StateFile& file, const StatePlanes& part, const Ranks& ranks) {
     agree(ranks, [&] {
-        const PartWriter writer(file, part);
-        const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, part.size}.volume());
+        const PartWriter writer(file, part.head());
+        const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, part.head().size}.volume());
         const std::uint64_t width = file.float_populations ? sizeof(float) : sizeof(double);
-        for (std::size_t i = 0; i < part.populations.size(); ++i)
-            writer.write(file.populations + i * cells * width, part.populations[i], file.float_populations);
-        writer.write(file.minority, part.minority, file.float_minority);
-        writer.write(file.band, std::span<const std::uint8_t>(part.band));
+        for (std::size_t i = 0; i < part.population_count(); ++i)
+            write_reals(writer, file.populations + i * cells * width, file.float_populations,
+                        [&](int z, std::span<double> plane) { part.population(i, z, plane); });
+        write_reals(writer, file.minority, file.float_minority,
+                    [&](int z, std::span<double> plane) { part.minority(z, plane); });
+        writer.write<std::uint8_t, std::uint8_t>(
+            file.band, [&](int z, std::span<std::uint8_t> plane) { part.band(z, plane); });
         writer.synchronise();
     });
 }

@@ -24,7 +24,7 @@ struct StateFile {
 
 /// Writes the arrays of each rank's part and waits until they are on the device; all ranks together, and if
 /// one of them cannot, all throw its RunError.
-void write_state(const StateFile& file, const EngineState& part, const Ranks& ranks);
+void write_state(const StateFile& file, const StatePlanes& part, const Ranks& ranks);
 
 /// Reads a part of the state in a checkpoint, which has been verified before. Throws RunError.
 EngineState read_state(const std::filesystem::path& checkpoint, const CellBox& part);
@@ -41,7 +41,7 @@ public:
     virtual ~Colleagues() = default;
 
     /// write_state on all ranks, each with its part.
-    virtual void write_state(const StateFile& file, const EngineState& own_part) {
+    virtual void write_state(const StateFile& file, const StatePlanes& own_part) {
         vesica::write_state(file, own_part, Ranks());
     }
     /// digest_of_file, the blocks shared out.

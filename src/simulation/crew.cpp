@@ -32,7 +32,9 @@ public:
         return post_.together([&] { return own().trouble(); });
     }
 
+    /// Of the first rank's block, as the others have theirs.
     EngineState save() const override { return own().save(); }
+    std::unique_ptr<StatePlanes> planes() const override { return own().planes(); }
     void load(const EngineState&) override {
         throw RunError("the state of several ranks is loaded from a file, by each its part");
     }
@@ -90,7 +92,7 @@ ParallelSummary Crew::report() {
     return post_->shared_out().summary;
 }
 
-void Crew::write_state(const StateFile& file, const EngineState& own_part) {
+void Crew::write_state(const StateFile& file, const StatePlanes& own_part) {
     post_->announce(Order::write);
     post_->write(file, &own_part);
 }

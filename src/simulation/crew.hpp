@@ -48,7 +48,7 @@ public:
     /// How the work was shared out and what travelled, since the engine was built.
     ParallelSummary report();
 
-    void write_state(const StateFile& file, const EngineState& own_part) override;
+    void write_state(const StateFile& file, const StatePlanes& own_part) override;
     Digest digest(const std::filesystem::path& file, std::uint64_t offset, std::uint64_t length,
                   const std::filesystem::path& target) override;
 

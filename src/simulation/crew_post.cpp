@@ -231,7 +231,7 @@ DenseField CrewPost::field(const std::string& name) {
     return together([&] { return engine_->field(text); });
 }
 
-void CrewPost::write(const StateFile& file, const EngineState* own_part) {
+void CrewPost::write(const StateFile& file, const StatePlanes* own_part) {
     StateFile places;
     places.temporary = ranks_.broadcast(file.temporary.string());
     places.target = ranks_.broadcast(file.target.string());
@@ -245,8 +245,8 @@ void CrewPost::write(const StateFile& file, const EngineState* own_part) {
         write_state(places, *own_part, ranks_);
         return;
     }
-    const EngineState part = together([&] { return engine_->save(); });
-    write_state(places, part, ranks_);
+    const std::unique_ptr<StatePlanes> part = together([&] { return engine_->planes(); });
+    write_state(places, *part, ranks_);
 }
 
 /// Each rank digests its share of the blocks; the rank that leads puts them together.

@@ -67,7 +67,7 @@ public:
     void build(const std::string& case_text, const std::string& name, const CrewSettings& settings,
                const std::string& from);
     void load(const std::string& checkpoint, const StateChange& change);
-    void write(const StateFile& file, const EngineState* own_part);
+    void write(const StateFile& file, const StatePlanes* own_part);
     Digest digest(const std::string& file, std::uint64_t offset, std::uint64_t length,
                   const std::string& target);
     DenseField field(const std::string& name);

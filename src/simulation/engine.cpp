@@ -28,6 +28,31 @@ constexpr InstructionSet instruction_sets[] = {
 
 } // namespace
 
+namespace {
+
+class SavedPlanes final : public StatePlanes {
+public:
+    explicit SavedPlanes(EngineState state) : state_(std::move(state)), planes_(state_) {}
+
+    const StateHead& head() const override { return planes_.head(); }
+    std::size_t population_count() const override { return planes_.population_count(); }
+    void population(std::size_t i, int z, std::span<double> plane) const override {
+        planes_.population(i, z, plane);
+    }
+    void minority(int z, std::span<double> plane) const override { planes_.minority(z, plane); }
+    void band(int z, std::span<std::uint8_t> plane) const override { planes_.band(z, plane); }
+
+private:
+    EngineState state_;
+    PlanesOfState planes_;
+};
+
+} // namespace
+
+std::unique_ptr<StatePlanes> Engine::planes() const {
+    return std::make_unique<SavedPlanes>(save());
+}
+
 const std::vector<std::string>& field_names() {
     static const std::vector<std::string> names{
         "phase",         "density",        "velocity",           "pressure",

@@ -56,8 +56,9 @@ public:
     /// Looks for NaN or runaway values; cheap enough to be called every hundred steps.
     virtual std::optional<Trouble> trouble() const = 0;
 
-    /// The state of this rank's block.
+    /// The state of this rank's block; and plane by plane, as long as the engine does not step.
     virtual EngineState save() const = 0;
+    virtual std::unique_ptr<StatePlanes> planes() const;
     virtual void load(const EngineState& state) = 0;
 
     virtual std::size_t bytes_allocated() const = 0;

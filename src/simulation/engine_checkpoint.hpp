@@ -3,49 +3,92 @@
 #include "core/input_error.hpp"
 #include "simulation/lattice_engine.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vesica {
 
 /// The state in canonical order: nothing of threads, tiles or the streaming pattern shows.
 template <class Real>
-EngineState LatticeEngine<Real>::save() const {
-    EngineState state;
-    state.step = step_;
-    state.precision = setup_.precision;
-    state.size = block_.box;
-    state.part = block_.own;
-    const auto cells = static_cast<std::size_t>(grid_.volume());
-    state.populations.assign(direction_count, std::vector<double>(cells));
-    state.minority.assign(cells, 0.0);
-    state.band.assign(cells, 0);
-
-    const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
-    std::vector<std::uint8_t> core(layer_.inside().size(), 0);
-    for (const Band::Seed& seed : layer_.core())
-        core[static_cast<std::size_t>(seed.tile)] = seed.bits;
-
-    for_each_cell_of_block([&](std::size_t at, std::int64_t cell) {
-        for (int i = 0; i < direction_count; ++i)
-            state.populations[static_cast<std::size_t>(i)][at] =
-                static_cast<double>(*f_.find(streaming_, i, cell));
-        const auto tile = static_cast<std::size_t>(cell / tile_width);
-        const auto bit = cell % tile_width;
-        bool red = (layer_.inside()[tile] >> bit & 1) != 0;
-        double chi = with_sign_bit(red, 0.0);
-        if ((in_band[tile] >> bit & 1) != 0) {
-            const std::int32_t slot = layer_.band().slot_of_tile(cell / tile_width);
-            chi = static_cast<double>(layer_.fields().chi[static_cast<std::size_t>(slot + bit)]);
-            red = sign_bit(chi);
+class LatticeEngine<Real>::Planes final : public StatePlanes {
+public:
+    explicit Planes(const LatticeEngine& engine)
+        : engine_(engine),
+          in_band_(engine.layer_.cells_of_level(Band::outermost)),
+          core_(in_band_.size(), 0) {
+        head_.step = engine.step_;
+        head_.precision = engine.setup_.precision;
+        head_.size = engine.block_.box;
+        head_.part = engine.block_.own;
+        const Membrane& membrane = engine.membrane_;
+        head_.controllers = {membrane.constraint_tension, 0.0, 0.0, 0.0};
+        if (const auto* multiplier = std::get_if<AreaMultiplier>(&membrane.area)) {
+            const AreaMultiplier::State& held = multiplier->state();
+            head_.controllers = {membrane.constraint_tension, held.integral, held.previous_excess,
+                                 held.started ? 1.0 : 0.0};
         }
-        state.minority[at] = chi;
-        state.band[at] = static_cast<std::uint8_t>((core[tile] >> bit & 1) | (red ? 2 : 0));
-    });
-    state.controllers = {membrane_.constraint_tension, 0.0, 0.0, 0.0};
-    if (const auto* multiplier = std::get_if<AreaMultiplier>(&membrane_.area)) {
-        const AreaMultiplier::State& held = multiplier->state();
-        state.controllers = {membrane_.constraint_tension, held.integral, held.previous_excess,
-                             held.started ? 1.0 : 0.0};
+        for (const Band::Seed& seed : engine.layer_.core())
+            core_[static_cast<std::size_t>(seed.tile)] = seed.bits;
     }
-    return state;
+
+    const StateHead& head() const override { return head_; }
+    std::size_t population_count() const override { return direction_count; }
+
+    void population(std::size_t i, int z, std::span<double> plane) const override {
+        const Vec3<int> size = engine_.grid_.size();
+        double* to = plane.data();
+        for (int y = 0; y < size.y; ++y) {
+            const Real* const row =
+                engine_.f_.find(engine_.streaming_, static_cast<int>(i), engine_.grid_.index(0, y, z));
+            to = std::transform(row, row + size.x, to, [](Real value) { return static_cast<double>(value); });
+        }
+    }
+    void minority(int z, std::span<double> plane) const override {
+        for_each_cell(z, [&](std::size_t at, std::int64_t cell) { plane[at] = colour_of(cell); });
+    }
+    void band(int z, std::span<std::uint8_t> plane) const override {
+        for_each_cell(z, [&](std::size_t at, std::int64_t cell) {
+            const bool red = std::signbit(colour_of(cell));
+            plane[at] = static_cast<std::uint8_t>((holds(core_, cell) ? 1 : 0) | (red ? 2 : 0));
+        });
+    }
+
+private:
+    template <class Body>
+    void for_each_cell(int z, const Body& body) const {
+        const Vec3<int> size = engine_.grid_.size();
+        std::size_t at = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                body(at++, engine_.grid_.index(x, y, z));
+    }
+
+    static bool holds(const std::vector<std::uint8_t>& bits, std::int64_t cell) {
+        return (bits[static_cast<std::size_t>(cell / tile_width)] >> (cell % tile_width) & 1) != 0;
+    }
+
+    double colour_of(std::int64_t cell) const {
+        const Layer<Real>& layer = engine_.layer_;
+        if (!holds(in_band_, cell))
+            return holds(layer.inside(), cell) ? -0.0 : 0.0;
+        const std::int32_t slot = layer.band().slot_of_tile(cell / tile_width);
+        return static_cast<double>(layer.fields().chi[static_cast<std::size_t>(slot + cell % tile_width)]);
+    }
+
+    const LatticeEngine& engine_;
+    std::vector<std::uint8_t> in_band_;
+    std::vector<std::uint8_t> core_;
+    StateHead head_;
+};
+
+template <class Real>
+std::unique_ptr<StatePlanes> LatticeEngine<Real>::planes() const {
+    return std::make_unique<Planes>(*this);
+}
+
+template <class Real>
+EngineState LatticeEngine<Real>::save() const {
+    return collected(Planes(*this));
 }
 
 template <class Real>

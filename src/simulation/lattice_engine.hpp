@@ -98,6 +98,7 @@ public:
     DenseField field(std::string_view name) const override;
     std::optional<Trouble> trouble() const override;
     EngineState save() const override;
+    std::unique_ptr<StatePlanes> planes() const override;
     void load(const EngineState& state) override;
 
     std::size_t bytes_allocated() const override { return populations_.bytes() + layer_.bytes(); }
@@ -118,6 +119,8 @@ public:
     const StepProfile& profile() const override { return clock_.profile(); }
 
 private:
+    class Planes;
+
     /// The largest of a quantity over the box and where it is; what is not a number is larger than all, and
     /// of equals the first cell in canonical order counts.
     struct Extreme {

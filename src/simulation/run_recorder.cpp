@@ -152,14 +152,13 @@ void RunRecorder::write_surfaces(const Engine& engine) {
 
 void RunRecorder::write_checkpoint(const Engine& engine) {
     metrics_file_.flush();
-    Checkpoint checkpoint;
-    checkpoint.engine = engine.save();
+    CheckpointNotes checkpoint;
     checkpoint.case_text = resolved_toml(case_);
     checkpoint.notes = metrics_.notes();
     if (fields_)
         checkpoint.notes.merge(fields_->notes());
     checkpoint.program_version = version;
-    const std::filesystem::path path = checkpoints_.write(checkpoint, colleagues_);
+    const std::filesystem::path path = checkpoints_.write(checkpoint, *engine.planes(), colleagues_);
     log_.information(fmt::format("step {}: checkpoint {}", engine.steps_done(), path.filename().string()));
 }
 
