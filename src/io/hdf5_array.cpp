@@ -76,7 +76,7 @@ Hdf5File create_hdf5(const std::filesystem::path& location, std::uint64_t user_b
     // Closing the properties clears HDF5's reasons for a failure: they must outlive the check.
     const Hdf5Properties creation = creation_properties(user_block, path);
     const Hdf5Properties access = access_properties();
-    // Large arrays begin at pages: several writers do not meet in one, and copies are faster.
+    // Large arrays begin at pages: no two share one, and copies are faster.
     constexpr hsize_t large = hsize_t{1} << 16;
     constexpr hsize_t page = 4096;
     hdf5_checked(H5Pset_alignment(access, large, page), path, "cannot create");

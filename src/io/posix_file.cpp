@@ -27,13 +27,18 @@ FileDescriptor::~FileDescriptor() {
 }
 
 FileDescriptor open_file(const std::filesystem::path& path, int flags, std::string_view what) {
+    return open_file(path, flags, what, path);
+}
+
+FileDescriptor open_file(const std::filesystem::path& path, int flags, std::string_view what,
+                         const std::filesystem::path& told) {
     int number = -1;
     do {
         // A named pipe would keep us waiting for its other end; length_of says that it is no regular file.
         number = ::open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666);
     } while (number < 0 && errno == EINTR);
     if (number < 0)
-        fail_with_errno(path, what);
+        fail_with_errno(told, what);
     return FileDescriptor(number);
 }
 

@@ -33,6 +33,9 @@ private:
 
 /// Opens with the flags of open(2); O_CLOEXEC is added. Throws RunError with `what` and the system's reason.
 FileDescriptor open_file(const std::filesystem::path& path, int flags, std::string_view what);
+/// The same of a file that has another name to be told by.
+FileDescriptor open_file(const std::filesystem::path& path, int flags, std::string_view what,
+                         const std::filesystem::path& told);
 
 /// Writes every byte or throws RunError.
 void write_fully(const FileDescriptor& file, std::string_view bytes, const std::filesystem::path& path);

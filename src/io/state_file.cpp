@@ -27,7 +27,7 @@ public:
           box_(head.size),
           part_(head.part),
           plane_(static_cast<std::size_t>(part_.size.x) * static_cast<std::size_t>(part_.size.y)),
-          file_(open_file(file.temporary, O_WRONLY, "cannot write")) {}
+          file_(open_file(file.temporary, O_WRONLY, "cannot write", file.target)) {}
 
     template <class Stored, class Value, class CopyPlane>
     void write(std::uint64_t offset, const CopyPlane& copy_plane) const {
@@ -171,7 +171,7 @@ std::vector<std::uint8_t> read_band(const Path& path, const CellBox& part) {
 }
 
 Digest Colleagues::digest(const Path& file, std::uint64_t offset, std::uint64_t length, const Path& target) {
-    return digest_of_file(open_file(file, O_RDONLY, "cannot read"), offset, length, target);
+    return digest_of_file(open_file(file, O_RDONLY, "cannot read", target), offset, length, target);
 }
 
 } // namespace vesica

@@ -4,6 +4,11 @@ namespace vesica {
 
 namespace {
 
+struct Failure {
+    bool by_input = false; ///< InputError rather than RunError
+    std::string text;
+};
+
 std::optional<Failure> failure_of(const std::function<void()>& work) {
     try {
         work();
@@ -37,8 +42,8 @@ void agree(const Ranks& ranks, const std::function<void()>& work) {
     });
     first = ranks.broadcast(first);
     if (first.front() == 'i')
-        throw InputError(first.substr(1));
-    throw RunError(first.substr(1));
+        throw AgreedInputError(first.substr(1));
+    throw AgreedRunError(first.substr(1));
 }
 
 } // namespace vesica

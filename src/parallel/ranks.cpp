@@ -7,7 +7,6 @@
 #include <bit>
 #include <chrono>
 #include <cstdlib>
-#include <initializer_list>
 #include <iostream>
 #include <numeric>
 
@@ -19,12 +18,25 @@ namespace {
 constexpr std::size_t piece = std::size_t{1} << 30;
 constexpr int gather_tag = 1;
 
-int largest_of(std::initializer_list<const char*> variables) {
-    int largest = 0;
-    for (const char* const name : variables)
-        if (const char* const text = std::getenv(name))
-            largest = std::max(largest, std::atoi(text));
-    return largest;
+struct Launcher {
+    const char* size;
+    const char* rank;
+};
+
+/// mpirun before the resource manager that may have started it.
+constexpr Launcher launchers[] = {{"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"},
+                                  {"MV2_COMM_WORLD_SIZE", "MV2_COMM_WORLD_RANK"},
+                                  {"PMI_SIZE", "PMI_RANK"},
+                                  {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID"}};
+
+/// What the first launcher that is there says; 0 without one.
+int told_by_launcher(const char* Launcher::*variable) {
+    for (const Launcher& launcher : launchers)
+        if (std::getenv(launcher.size) != nullptr) {
+            const char* const text = std::getenv(launcher.*variable);
+            return text != nullptr ? std::atoi(text) : 0;
+        }
+    return 0;
 }
 
 template <class Body>
@@ -36,15 +48,11 @@ void for_each_piece(std::size_t bytes, const Body& body) {
 } // namespace
 
 int MpiSession::promised() {
-    return std::max(
-        1, largest_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "SLURM_STEP_NUM_TASKS"}));
+    return std::max(1, told_by_launcher(&Launcher::size));
 }
 
 int MpiSession::promised_rank() {
-    if (promised() == 1)
-        return 0;
-    return largest_of(
-        {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", "PMIX_RANK", "SLURM_PROCID"});
+    return told_by_launcher(&Launcher::rank);
 }
 
 MpiSession::MpiSession() {

@@ -68,8 +68,10 @@ void Crew::dismiss(int status) {
 }
 
 int Crew::default_threads() const {
-    post_->announce(Order::threads);
-    return vesica::default_threads(ranks_);
+    return post_->together([&] {
+        post_->announce(Order::threads);
+        return vesica::default_threads(ranks_);
+    });
 }
 
 std::unique_ptr<Engine> Crew::build(const Case& what, const CrewSettings& settings,
@@ -77,15 +79,19 @@ std::unique_ptr<Engine> Crew::build(const Case& what, const CrewSettings& settin
     const std::string text = resolved_toml(what);
     const std::string checkpoint = from ? from->string() : std::string();
     auto engine = std::make_unique<LeadingEngine>(*post_);
-    post_->announce(Order::build);
-    post_->build(text, what.source_file, settings, checkpoint);
+    post_->together([&] {
+        post_->announce(Order::build);
+        post_->build(text, what.source_file, settings, checkpoint);
+    });
     return engine;
 }
 
 void Crew::load(const std::filesystem::path& checkpoint, const StateChange& change) {
     const std::string path = checkpoint.string();
-    post_->announce(Order::load);
-    post_->load(path, change);
+    post_->together([&] {
+        post_->announce(Order::load);
+        post_->load(path, change);
+    });
 }
 
 ParallelSummary Crew::report() {
@@ -93,16 +99,20 @@ ParallelSummary Crew::report() {
 }
 
 void Crew::write_state(const StateFile& file, const StatePlanes& own_part) {
-    post_->announce(Order::write);
-    post_->write(file, &own_part);
+    post_->together([&] {
+        post_->announce(Order::write);
+        post_->write(file, &own_part);
+    });
 }
 
 Digest Crew::digest(const std::filesystem::path& file, std::uint64_t offset, std::uint64_t length,
                     const std::filesystem::path& target) {
     const std::string path = file.string();
     const std::string name = target.string();
-    post_->announce(Order::digest);
-    return post_->digest(path, offset, length, name);
+    return post_->together([&] {
+        post_->announce(Order::digest);
+        return post_->digest(path, offset, length, name);
+    });
 }
 
 int follow_orders(const Ranks& ranks) {
@@ -112,10 +122,9 @@ int follow_orders(const Ranks& ranks) {
         if (order == Order::end)
             return static_cast<int>(number);
         try {
-            post.carry_out(order);
-        } catch (const InputError&) {
-            // All have agreed on it, and the rank that leads tells the user.
-        } catch (const RunError&) {
+            post.together([&] { post.carry_out(order); });
+        } catch (const Agreed&) {
+            // The rank that leads tells the user.
         }
     }
 }

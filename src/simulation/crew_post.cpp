@@ -197,11 +197,7 @@ void CrewPost::build(const std::string& case_text, const std::string& name, cons
         layout = balanced_layout(what.parameters, layout, checkpoint, threads);
     blocks_ = layout.blocks();
     neighbourhood_ = std::make_shared<const Neighbourhood>(ranks_, layout);
-    try {
-        engine_ = make_engine(what.parameters, threads, neighbourhood_);
-    } catch (const std::bad_alloc& memory) { // one rank's own
-        ranks_.abandon(1, memory);
-    }
+    engine_ = make_engine(what.parameters, threads, neighbourhood_);
     before_stepping_ = engine_->traffic();
 }
 
@@ -241,12 +237,12 @@ void CrewPost::write(const StateFile& file, const StatePlanes* own_part) {
     places.band = offsets[2];
     places.float_populations = broadcast_value(ranks_, file.float_populations);
     places.float_minority = broadcast_value(ranks_, file.float_minority);
-    if (own_part != nullptr) {
-        write_state(places, *own_part, ranks_);
-        return;
-    }
-    const std::unique_ptr<StatePlanes> part = together([&] { return engine_->planes(); });
-    write_state(places, *part, ranks_);
+    std::unique_ptr<StatePlanes> part;
+    agree(ranks_, [&] {
+        if (own_part == nullptr)
+            part = engine_->planes();
+    });
+    write_state(places, own_part != nullptr ? *own_part : *part, ranks_);
 }
 
 /// Each rank digests its share of the blocks; the rank that leads puts them together.
@@ -259,7 +255,7 @@ Digest CrewPost::digest(const std::string& file, std::uint64_t offset, std::uint
     const auto ranks = static_cast<std::uint64_t>(ranks_.count());
     const auto rank = static_cast<std::uint64_t>(ranks_.rank());
     const std::vector<Digest> own = agreed(ranks_, [&] {
-        return digests_of_blocks(open_file(path, O_RDONLY, "cannot read"), range[0], range[1],
+        return digests_of_blocks(open_file(path, O_RDONLY, "cannot read", name), range[0], range[1],
                                  blocks * rank / ranks, blocks * (rank + 1) / ranks, name);
     });
     std::vector<Digest> all;
@@ -268,7 +264,7 @@ Digest CrewPost::digest(const std::string& file, std::uint64_t offset, std::uint
         all.resize(before + part.size() / sizeof(Digest));
         std::copy(part.begin(), part.end(), std::as_writable_bytes(std::span(all).subspan(before)).begin());
     });
-    return combine_digests(all);
+    return ranks_.leads() ? combine_digests(all) : Digest{};
 }
 
 SharedOut CrewPost::shared_out() {
@@ -282,7 +278,6 @@ SharedOut CrewPost::gather_reports() const {
         RankTraffic traffic;
         RankTraffic before; ///< of the building
         double bytes;
-        double band_cells;
     };
     const StepProfile& profile = engine_->profile();
     Report own{};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/input_error.hpp"
+#include "parallel/agreement.hpp"
 #include "simulation/crew.hpp"
 
 #include <memory>
@@ -40,12 +40,14 @@ public:
     const Ranks& ranks() const { return ranks_; }
     Engine& engine() const { return *engine_; }
 
-    /// For what ranks do with each other: should one fail in the middle, the others would wait for ever, and
-    /// all end at once. (What each does by itself they agree on: parallel/agreement.hpp.)
+    /// For what ranks do together. What all have agreed cannot be done, all throw; should one fail by itself
+    /// in the middle, the others would wait for ever, and all end at once.
     template <class Body>
     auto together(const Body& body) const {
         try {
             return body();
+        } catch (const Agreed&) {
+            throw;
         } catch (const std::exception& error) {
             ranks_.abandon(1, error);
         }

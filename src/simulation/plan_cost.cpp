@@ -165,7 +165,11 @@ int default_threads() {
 
 int default_threads(const Ranks& ranks) {
     std::vector<std::uint64_t> mask(sizeof(cpu_set_t) / sizeof(std::uint64_t), 0);
-    sched_getaffinity(0, sizeof(cpu_set_t), reinterpret_cast<cpu_set_t*>(mask.data()));
+    if (sched_getaffinity(0, sizeof(cpu_set_t), reinterpret_cast<cpu_set_t*>(mask.data())) != 0)
+        for (int processor = 0; processor < omp_get_num_procs();
+             ++processor) // a machine with more than it can name
+            mask[static_cast<std::size_t>(processor) / 64 % mask.size()] |= std::uint64_t{1}
+                                                                            << processor % 64;
     const int share = ranks.share_of_processors(mask); // by all, though some may have been told otherwise
     const bool told = std::getenv("OMP_NUM_THREADS") != nullptr;
     return told || ranks.count() == 1 ? default_threads() : share;
