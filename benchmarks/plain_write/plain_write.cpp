@@ -1,5 +1,5 @@
-// plain_write FILE BYTES: writes so many bytes by parallel HDF5, each rank its part, collectively; closes, syncs and prints
-// megabytes per second of the whole. What any checkpoint is measured against.
+// plain_write FILE BYTES: writes so many bytes by parallel HDF5, each rank its part, collectively; closes,
+// syncs and prints megabytes per second of the whole. What any checkpoint is measured against.
 #include <fcntl.h>
 #include <hdf5.h>
 #include <mpi.h>
@@ -62,7 +62,8 @@ int main(int argument_count, char** arguments) {
     int ranks = 1;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    const bool good = write(arguments[1], static_cast<hsize_t>(std::atoll(arguments[2])) / sizeof(double), rank, ranks);
+    const bool good =
+        write(arguments[1], static_cast<hsize_t>(std::atoll(arguments[2])) / sizeof(double), rank, ranks);
     MPI_Finalize();
     return good ? 0 : 1;
 }

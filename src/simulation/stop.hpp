@@ -8,9 +8,9 @@
 namespace vesica {
 
 /// While it lives, SIGINT, SIGTERM and SIGUSR1 ask the run to stop at the end of the step instead of ending
-/// the process. The second SIGINT finds the default action again and ends it at once. A limit on the size of files
-/// (SIGXFSZ) becomes an error of the write that meets it. Restores the previous actions when it goes. One at a
-/// time.
+/// the process. The second SIGINT finds the default action again and ends it at once. A limit on the size of
+/// files (SIGXFSZ) becomes an error of the write that meets it. Restores the previous actions when it goes.
+/// One at a time.
 class StopSignals {
 public:
     StopSignals();
