@@ -19,7 +19,7 @@ class PopulationHalo {
 public:
     PopulationHalo() = default;
     PopulationHalo(const PopulationView<Real>& populations, const Grid& grid, const Block& block)
-        : f_(populations), grid_(grid), divided_(block.divided) {}
+        : f_(populations), grid_(grid), block_(block) {}
 
     /// Numbers in the message of a part, either way.
     std::int64_t numbers(const HaloPart& part) const {
@@ -31,14 +31,15 @@ public:
     void pack_to_publish(const HaloPart& part, Real* message) const {
         for_each_row(part.rim, -part.link, [&](const CellBox& box, int i, int y, int z) {
             // The block's own ghosts may not be there yet: read what they stand for.
-            const Real* const row = f_.slot(i) + grid_.index(0, home(y, 1), home(z, 2));
+            const Vec3<int> first = block_.home({0, y, z});
+            const Real* const row = f_.slot(i) + grid_.index(first);
             for (int x = box.begin.x; x < 0; ++x)
-                *message++ = row[home(x, 0)];
+                *message++ = row[block_.home({x, y, z}).x];
             const int begin = std::max(box.begin.x, 0);
             const int end = std::min(box.begin.x + box.size.x, grid_.size().x);
             message = copied(row + begin, end - begin, message);
             for (int x = end; x < box.begin.x + box.size.x; ++x)
-                *message++ = row[home(x, 0)];
+                *message++ = row[block_.home({x, y, z}).x];
         });
     }
     void unpack_published(const HaloPart& part, const Real* message) const {
@@ -57,11 +58,6 @@ private:
     static Real* copied(const Real* from, int count, Real* to) {
         std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(Real));
         return to + count;
-    }
-
-    int home(int place, int axis) const {
-        const int size = grid_.size()[axis];
-        return place < 0 ? place + size : place >= size ? place - size : place;
     }
 
     void unpack(const CellBox& part, const Vec3<int>& along, const Real* message) const {
@@ -90,8 +86,8 @@ private:
                 continue;
             const int sideways = velocity(i, a);
             const int length = grid_.size()[a];
-            box.begin[a] = divided_[a] ? std::max(sideways, 0) : sideways;
-            box.size[a] = divided_[a] ? length - std::abs(sideways) : length;
+            box.begin[a] = block_.divided[a] ? std::max(sideways, 0) : sideways;
+            box.size[a] = block_.divided[a] ? length - std::abs(sideways) : length;
         }
         return box;
     }
@@ -109,7 +105,7 @@ private:
 
     PopulationView<Real> f_;
     Grid grid_;
-    Vec3<bool> divided_{};
+    Block block_;
 };
 
 } // namespace vesica

@@ -4,6 +4,7 @@
 #include "core/cell_box.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,6 +39,8 @@ public:
     virtual ~StatePlanes() = default;
 
     virtual const StateHead& head() const = 0;
+    /// Whether no number of the planes loses anything as a float, signs of zeros and bits of NaNs included.
+    virtual bool all_floats() const = 0;
     virtual std::size_t population_count() const = 0;
     virtual void population(std::size_t i, int z, std::span<double> plane) const = 0;
     virtual void minority(int z, std::span<double> plane) const = 0;
@@ -50,6 +53,10 @@ public:
     explicit PlanesOfState(const EngineState& state) : state_(state) {}
 
     const StateHead& head() const override { return state_; }
+    bool all_floats() const override {
+        return std::all_of(state_.populations.begin(), state_.populations.end(), are_floats) &&
+               are_floats(state_.minority);
+    }
     std::size_t population_count() const override { return state_.populations.size(); }
     void population(std::size_t i, int z, std::span<double> plane) const override {
         copy(state_.populations[i], z, plane);
@@ -58,6 +65,13 @@ public:
     void band(int z, std::span<std::uint8_t> plane) const override { copy(state_.band, z, plane); }
 
 private:
+    static bool are_floats(const std::vector<double>& values) {
+        return std::all_of(values.begin(), values.end(), [](double value) {
+            return std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(value))) ==
+                   std::bit_cast<std::uint64_t>(value);
+        });
+    }
+
     template <class T>
     static void copy(const std::vector<T>& values, int z, std::span<T> plane) {
         const auto first = values.begin() + static_cast<std::ptrdiff_t>(plane.size()) * z;

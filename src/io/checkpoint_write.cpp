@@ -28,26 +28,6 @@ struct PlacedArray {
     std::string bytes;
 };
 
-/// Whether storing as float loses nothing, signs of zeros and bits of NaNs included.
-bool all_floats(Row values) {
-    return std::all_of(values.begin(), values.end(), [](double value) {
-        return std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(value))) ==
-               std::bit_cast<std::uint64_t>(value);
-    });
-}
-
-/// Of a part's planes, copied by `copy_plane` one after the other.
-template <class CopyPlane>
-bool all_floats(const CellBox& part, const CopyPlane& copy_plane) {
-    std::vector<double> plane(static_cast<std::size_t>(part.size.x) * static_cast<std::size_t>(part.size.y));
-    for (int z = 0; z < part.size.z; ++z) {
-        copy_plane(z, plane);
-        if (!all_floats(Row(plane)))
-            return false;
-    }
-    return true;
-}
-
 class Structure {
 public:
     Structure(hid_t file, const Path& path) : file_(file), path_(path) {}
@@ -56,20 +36,13 @@ public:
     StateFile add_state(const StatePlanes& state) {
         const StateHead& head = state.head();
         const auto cells = static_cast<hsize_t>(CellBox{{}, head.size}.volume());
-        const bool single = head.precision == Precision::single_precision;
         const std::size_t count = state.population_count();
         StateFile places;
-        places.float_populations = single;
-        for (std::size_t i = 0; i < count && places.float_populations; ++i)
-            places.float_populations =
-                all_floats(head.part, [&](int z, std::span<double> plane) { state.population(i, z, plane); });
-        places.float_minority = single && all_floats(head.part, [&](int z, std::span<double> plane) {
-                                    state.minority(z, plane);
-                                });
+        places.floats = head.precision == Precision::single_precision && state.all_floats();
+        const hid_t reals = places.floats ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
         places.band = place(file_, "band", H5T_STD_U8LE, {cells});
-        places.populations =
-            place(file_, "populations", real_type(places.float_populations), {count, count == 0 ? 0 : cells});
-        places.minority = place(file_, "minority", real_type(places.float_minority), {cells});
+        places.populations = place(file_, "populations", reals, {count, count == 0 ? 0 : cells});
+        places.minority = place(file_, "minority", reals, {cells});
         add_reals(file_, "controllers", head.controllers);
         return places;
     }
@@ -83,8 +56,6 @@ public:
     const std::vector<PlacedArray>& small() const { return small_; }
 
 private:
-    static hid_t real_type(bool floats) { return floats ? H5T_IEEE_F32LE : H5T_IEEE_F64LE; }
-
     std::uint64_t place(hid_t parent, const std::string& name, hid_t type,
                         const std::vector<hsize_t>& shape) {
         return place_array(parent, name, type, shape, path_);

@@ -86,11 +86,11 @@ void write_state(const StateFile& file, const StatePlanes& part, const Ranks& ra
     agree(ranks, [&] {
         const PartWriter writer(file, part.head());
         const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, part.head().size}.volume());
-        const std::uint64_t width = file.float_populations ? sizeof(float) : sizeof(double);
+        const std::uint64_t width = file.floats ? sizeof(float) : sizeof(double);
         for (std::size_t i = 0; i < part.population_count(); ++i)
-            write_reals(writer, file.populations + i * cells * width, file.float_populations,
+            write_reals(writer, file.populations + i * cells * width, file.floats,
                         [&](int z, std::span<double> plane) { part.population(i, z, plane); });
-        write_reals(writer, file.minority, file.float_minority,
+        write_reals(writer, file.minority, file.floats,
                     [&](int z, std::span<double> plane) { part.minority(z, plane); });
         writer.write<std::uint8_t, std::uint8_t>(
             file.band, [&](int z, std::span<std::uint8_t> plane) { part.band(z, plane); });

@@ -18,8 +18,7 @@ struct StateFile {
     std::uint64_t populations = 0;   ///< bytes from the beginning of the file
     std::uint64_t minority = 0;
     std::uint64_t band = 0;
-    bool float_populations = false;
-    bool float_minority = false;
+    bool floats = false; ///< how populations and minority are stored
 };
 
 /// Writes the arrays of each rank's part and waits until they are on the device; all ranks together, and if

@@ -156,7 +156,7 @@ void Band::list_ghost_copies(const std::vector<std::int64_t>& members) {
                 foreign = foreign || (block_.divided[a] && is_outside(cell, a));
             if (!foreign && growth_.has(outermost, cell))
                 ghost_copies_.push_back(
-                    {address_of(home_of(cell)), slot_of_tile(t) + static_cast<std::int32_t>(k)});
+                    {address_of(block_.home(cell)), slot_of_tile(t) + static_cast<std::int32_t>(k)});
         }
     }
 }
@@ -172,7 +172,7 @@ void Band::list_part_cells() {
     for (const HaloPart& part : parts_) {
         PartCells cells;
         for_each_cell(part.rim,
-                      [&](const Vec3<int>& cell) { cells.rim.push_back(address_of(home_of(cell))); });
+                      [&](const Vec3<int>& cell) { cells.rim.push_back(address_of(block_.home(cell))); });
         for_each_cell(part.ghosts, [&](const Vec3<int>& cell) { cells.ghosts.push_back(address_of(cell)); });
         part_cells_.push_back(std::move(cells));
     }

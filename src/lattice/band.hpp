@@ -97,13 +97,6 @@ private:
         return inside == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(inside & growth_.bits(level, first));
     }
 
-    /// The place of a cell of the block, or of a ghost that stands for one.
-    Vec3<int> home_of(Vec3<int> cell) const {
-        for (int a = 0; a < 3; ++a)
-            if (!block_.divided[a])
-                cell[a] += cell[a] < 0 ? grid_.size()[a] : cell[a] >= grid_.size()[a] ? -grid_.size()[a] : 0;
-        return cell;
-    }
     std::int32_t address_of(const Vec3<int>& cell) const {
         const std::int64_t index = grid_.index(cell);
         return slot_of_tile(index / Grid::tile) + static_cast<std::int32_t>(index % Grid::tile);

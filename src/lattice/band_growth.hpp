@@ -42,10 +42,10 @@ public:
     /// Cells of the level in the tile that begins at this place of the block or of its ghosts: a multiple of
     /// eight along x, within the row.
     std::uint8_t bits(int level, const Vec3<int>& first) const {
-        return level_bits_[level][static_cast<std::size_t>(tile_at(wrapped(first)))];
+        return level_bits_[level][static_cast<std::size_t>(tile_at(block_.home(first)))];
     }
     bool has(int level, const Vec3<int>& cell) const {
-        const Vec3<int> home = wrapped(cell);
+        const Vec3<int> home = block_.home(cell);
         const int k = home.x & (Grid::tile - 1);
         return (level_bits_[level][static_cast<std::size_t>(tile_at({home.x - k, home.y, home.z}))] >> k &
                 1) != 0;
@@ -69,15 +69,6 @@ private:
 
     /// From the block's coordinates, the tile of the wide grid.
     std::int64_t tile_at(const Vec3<int>& first) const { return wide_.index(first + margin_) / Grid::tile; }
-    /// Across undivided axes the block is its own neighbour.
-    Vec3<int> wrapped(Vec3<int> cell) const {
-        for (int a = 0; a < 3; ++a)
-            if (!block_.divided[a])
-                cell[a] += cell[a] < 0                     ? block_.own.size[a]
-                           : cell[a] >= block_.own.size[a] ? -block_.own.size[a]
-                                                           : 0;
-        return cell;
-    }
 
     Block block_;
     Vec3<int> margin_{}; ///< whole tiles along x

@@ -17,6 +17,15 @@ struct Block {
     static Block whole(const Vec3<int>& box) { return {box, {{}, box}, {}}; }
 
     bool is_whole() const { return !divided.x && !divided.y && !divided.z; }
+
+    /// Where a cell next to the block, in its own coordinates, lies in it: along undivided axes the block is
+    /// its own neighbour.
+    Vec3<int> home(Vec3<int> cell) const {
+        for (int a = 0; a < 3; ++a)
+            if (!divided[a])
+                cell[a] += cell[a] < 0 ? own.size[a] : cell[a] >= own.size[a] ? -own.size[a] : 0;
+        return cell;
+    }
 };
 
 /// A piece of a block's surface, in the block's own coordinates: the ghost cells that stand for cells of the

@@ -42,13 +42,13 @@ public:
     std::vector<ForeignSeed> exchange_seeds(const std::vector<BandSeed>& own, const Grid& grid) const;
 
     void start(Arrays arrays, int threads) {
-        std::vector<std::size_t> outgoing;
-        std::vector<std::size_t> incoming;
+        outgoing_.clear();
+        incoming_.clear();
         for (const Band::PartCells& cells : cells_) {
-            outgoing.push_back(cells.rim.size() * arrays.size() * sizeof(Real));
-            incoming.push_back(cells.ghosts.size() * arrays.size() * sizeof(Real));
+            outgoing_.push_back(cells.rim.size() * arrays.size() * sizeof(Real));
+            incoming_.push_back(cells.ghosts.size() * arrays.size() * sizeof(Real));
         }
-        messages_.resize(outgoing, incoming);
+        messages_.resize(outgoing_, incoming_);
         for_each_value(&Band::PartCells::rim, arrays, threads, [&](std::size_t k) {
             return [message = reinterpret_cast<Real*>(messages_.outgoing(k))](std::size_t at, Real& value) {
                 message[at] = value;
@@ -97,6 +97,8 @@ private:
     const Neighbourhood& neighbourhood_;
     Messages messages_;
     std::vector<Band::PartCells> cells_; ///< per linked neighbour
+    std::vector<std::size_t> outgoing_;  ///< bytes of the messages under way
+    std::vector<std::size_t> incoming_;
 };
 
 template <class Real>

@@ -3,8 +3,8 @@
 #include "case/case.hpp"
 #include "io/run_summary.hpp"
 #include "io/state_file.hpp"
-#include "parallel/block_layout.hpp"
 #include "parallel/ranks.hpp"
+#include "simulation/block_plan.hpp"
 #include "simulation/engine.hpp"
 #include "simulation/start_state.hpp"
 
@@ -14,9 +14,6 @@
 namespace vesica {
 
 class CrewPost;
-
-/// What block boundaries are chosen for.
-enum class Balance { cells, interface };
 
 struct CrewSettings {
     int threads = 0;                 ///< of each rank; 0: its share of the machine's processors
@@ -63,13 +60,5 @@ private:
 
 /// Does what the rank that leads orders until it dismisses the crew; returns the exit status it names.
 int follow_orders(const Ranks& ranks);
-
-/// The blocks of so many ranks: those given, or the cheapest to exchange. Throws InputError where the box
-/// cannot be cut so.
-BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks);
-
-/// Moves the layout's boundaries so that blocks weigh about the same; the core's cells are counted by plane,
-/// for each axis. A cell of an interface costs several times a cell of fluid.
-void balance_by_interface(BlockLayout& layout, const std::vector<std::uint64_t> (&core_cells)[3]);
 
 } // namespace vesica

@@ -3,7 +3,7 @@
 #include "io/case_file.hpp"
 #include "io/posix_file.hpp"
 #include "parallel/agreement.hpp"
-#include "simulation/engine_setup.hpp"
+#include "simulation/block_plan.hpp"
 #include "simulation/plan_cost.hpp"
 
 #include <fcntl.h>
@@ -36,101 +36,7 @@ struct PlainSettings {
     Balance balance;
 };
 
-/// Counts of each plane of the whole box, by axis.
-struct PlaneCounts {
-    std::vector<std::uint64_t> of[3];
-
-    explicit PlaneCounts(const Vec3<int>& box) {
-        for (int a = 0; a < 3; ++a)
-            of[a].assign(static_cast<std::size_t>(box[a]), 0);
-    }
-    void add(const Vec3<int>& cell) {
-        for (int a = 0; a < 3; ++a)
-            ++of[a][static_cast<std::size_t>(cell[a])];
-    }
-    void sum(const Ranks& ranks) {
-        for (auto& counts : of)
-            ranks.sum(counts);
-    }
-};
-
-/// Where the core of the interfaces is, counted by ranks that share the box out evenly.
-PlaneCounts core_of(const Parameters& parameters, const Block& block, const std::string& from, int threads) {
-    PlaneCounts counts(parameters.size);
-    if (!from.empty()) {
-        const std::vector<std::uint8_t> band = read_band(from, block.own);
-        std::size_t at = 0;
-        for (int z = 0; z < block.own.size.z; ++z)
-            for (int y = 0; y < block.own.size.y; ++y)
-                for (int x = 0; x < block.own.size.x; ++x)
-                    if ((band[at++] & 1) != 0)
-                        counts.add(block.own.begin + Vec3<int>{x, y, z});
-        return counts;
-    }
-    const std::shared_ptr<const InitialColours> colours = initial_colours(parameters, block, threads);
-    if (colours == nullptr)
-        return counts;
-    const Grid grid(block.own.size);
-    for (const Band::Seed& seed : colours->core()) {
-        const Vec3<int> first = grid.tile_origin(seed.tile) + block.own.begin;
-        for (int k = 0; k < Grid::tile; ++k)
-            if ((seed.bits >> k & 1) != 0)
-                counts.add(first + Vec3<int>{k, 0, 0});
-    }
-    return counts;
-}
-
-/// A plane's neighbours within the band's reach have a share in its core.
-std::vector<double> band_cells(const std::vector<std::uint64_t>& core) {
-    constexpr int reach = Band::outermost;
-    constexpr double band_per_core = 3.0; // cells of the band per cell of its core
-    const auto planes = static_cast<int>(core.size());
-    std::vector<double> cells(core.size(), 0.0);
-    for (int plane = 0; plane < planes; ++plane)
-        for (int away = -reach; away <= reach; ++away) {
-            const int other = ((plane + away) % planes + planes) % planes;
-            cells[static_cast<std::size_t>(other)] +=
-                band_per_core / (2 * reach + 1) * static_cast<double>(core[static_cast<std::size_t>(plane)]);
-        }
-    return cells;
-}
-
 } // namespace
-
-BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks) {
-    const std::string size = fmt::format("{} x {} x {}", box.x, box.y, box.z);
-    if (blocks) {
-        const std::int64_t wanted = std::int64_t{blocks->x} * blocks->y * blocks->z;
-        const std::string given = fmt::format("--blocks is {},{},{}", blocks->x, blocks->y, blocks->z);
-        if (wanted != ranks)
-            throw InputError(fmt::format("{}, {} blocks in all; expected one for each of the {} ranks; try "
-                                         "without it, or mpirun -n {}",
-                                         given, wanted, ranks, wanted));
-        if (!fits(box, *blocks))
-            throw InputError(fmt::format("{}; expected blocks of at least {} cells along each axis that is "
-                                         "cut, in a box of {}; try without it",
-                                         given, BlockLayout::narrowest, size));
-        return {box, *blocks};
-    }
-    const std::optional<Vec3<int>> chosen = choose_blocks(box, ranks);
-    if (!chosen)
-        throw InputError(
-            fmt::format("lattice.size is {}; expected a box that {} ranks can share in blocks of "
-                        "at least {} cells along each axis; try mpirun -n {}",
-                        size, ranks, BlockLayout::narrowest, most_blocks(box, ranks)));
-    return {box, *chosen};
-}
-
-void balance_by_interface(BlockLayout& layout, const std::vector<std::uint64_t> (&core_cells)[3]) {
-    constexpr double cost = 4.0; // what a cell of the band costs more, in cells of fluid
-    const double volume = static_cast<double>(CellBox{{}, layout.box()}.volume());
-    for (int a = 0; a < 3; ++a) {
-        std::vector<double> weight = band_cells(core_cells[a]);
-        for (double& cells : weight)
-            cells = cells * cost + volume / layout.box()[a];
-        layout.balance(a, weight);
-    }
-}
 
 void CrewPost::announce(Order order, std::int64_t number) const {
     broadcast_value(ranks_, Message{order, number});
@@ -204,9 +110,13 @@ void CrewPost::build(const std::string& case_text, const std::string& name, cons
 BlockLayout CrewPost::balanced_layout(const Parameters& parameters, BlockLayout layout,
                                       const std::string& from, int threads) const {
     const Neighbourhood even(ranks_, layout);
-    PlaneCounts core = agreed(ranks_, [&] { return core_of(parameters, even.block(), from, threads); });
-    core.sum(ranks_);
-    balance_by_interface(layout, core.of);
+    PlaneCounts core = agreed(ranks_, [&] {
+        return from.empty() ? core_of_case(parameters, even.block(), threads)
+                            : core_of_checkpoint(from, even.block());
+    });
+    for (std::vector<std::uint64_t>& axis : core)
+        ranks_.sum(axis);
+    balance_by_interface(layout, core);
     return layout;
 }
 
@@ -235,8 +145,7 @@ void CrewPost::write(const StateFile& file, const StatePlanes* own_part) {
     places.populations = offsets[0];
     places.minority = offsets[1];
     places.band = offsets[2];
-    places.float_populations = broadcast_value(ranks_, file.float_populations);
-    places.float_minority = broadcast_value(ranks_, file.float_minority);
+    places.floats = broadcast_value(ranks_, file.floats);
     std::unique_ptr<StatePlanes> part;
     agree(ranks_, [&] {
         if (own_part == nullptr)

@@ -35,6 +35,7 @@ public:
     explicit SavedPlanes(EngineState state) : state_(std::move(state)), planes_(state_) {}
 
     const StateHead& head() const override { return planes_.head(); }
+    bool all_floats() const override { return planes_.all_floats(); }
     std::size_t population_count() const override { return planes_.population_count(); }
     void population(std::size_t i, int z, std::span<double> plane) const override {
         planes_.population(i, z, plane);

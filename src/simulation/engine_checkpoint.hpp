@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace vesica {
 
@@ -32,6 +33,7 @@ public:
     }
 
     const StateHead& head() const override { return head_; }
+    bool all_floats() const override { return std::is_same_v<Real, float>; }
     std::size_t population_count() const override { return direction_count; }
 
     void population(std::size_t i, int z, std::span<double> plane) const override {

@@ -14,6 +14,7 @@ template <class Real>
 typename LatticeEngine<Real>::Extremes LatticeEngine<Real>::extremes() const {
     const Vec3<int> size = grid_.size();
     const std::int64_t rows = std::int64_t{size.y} * size.z;
+    const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
     std::vector<Extremes> of_row(static_cast<std::size_t>(rows));
     for_each_index(rows, setup_.threads, [&](std::int64_t r) {
         const int y = static_cast<int>(r % size.y);
@@ -22,7 +23,8 @@ typename LatticeEngine<Real>::Extremes LatticeEngine<Real>::extremes() const {
         for (int x = 0; x < size.x; ++x) {
             const std::int64_t cell = grid_.index(x, y, z);
             const Vec3<int> place = block_.own.begin + Vec3<int>{x, y, z};
-            const bool in_layer = layer_.band().slot_of_tile(cell / tile_width) >= 0;
+            const bool in_layer =
+                (in_band[static_cast<std::size_t>(cell / tile_width)] >> (cell % tile_width) & 1) != 0;
             const Moments<double> m = moments_at(cell);
             const Vec3<double> F = force_at(cell);
             here.speed.take({norm(velocity_of(m, setup_.reference_density, F)), place, in_layer});
