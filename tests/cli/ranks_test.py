@@ -12,6 +12,7 @@ import signal
 import subprocess
 import time
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import h5py
@@ -99,7 +100,17 @@ class SameBits(Ranks):
                 self.assertEqual(self.outputs(f"on{count}", whole=True), expected)
                 self.assertIn(f"{count} ranks in", out)
                 self.assertEqual(out.count("done: "), 1)  # one voice
-                self.assertEqual(self.summary(f"on{count}")["machine"]["ranks"], count)
+                summary, alone = self.summary(f"on{count}"), self.summary("alone")
+                self.assertEqual(summary["machine"]["ranks"], count)
+                # Of all ranks together: their ghosts come on top.
+                self.assertGreater(summary["lattice"]["bytes_allocated"], alone["lattice"]["bytes_allocated"])
+                self.assertAlmostEqual(summary["dimensionless"]["interface_fraction"],
+                                       alone["dimensionless"]["interface_fraction"], places=12)
+
+    def test_mpirun_counts_rather_than_the_resource_manager_around_it(self):
+        with unittest.mock.patch.dict(os.environ, {"SLURM_STEP_NUM_TASKS": "1", "SLURM_PROCID": "0"}):
+            self.run_on(2, "on2", "--steps", 2)
+        self.assertEqual(self.summary("on2")["machine"]["ranks"], 2)
 
     def test_single_precision_too(self):
         single = ["--set", 'numerics.precision="single"']
@@ -137,17 +148,20 @@ class Report(Ranks):
             target = f"on-{precision}"
             self.run_on(2, target, "--steps", steps, "--set", f'numerics.precision="{precision}"', "--blocks", "1,1,2",
                         "--balance", "cells")
-            parallel = self.summary(target)["parallel"]
-            # Two ranks, two faces each, both towards the other rank: one message each way a step.
-            self.assertEqual(parallel["population_bytes_per_step"], 2 * 2 * 5 * x * y * width)
-            self.assertEqual(parallel["population_messages_per_step"], 2)
-            with h5py.File(self.directory / target / f"checkpoints/step_{steps:09}.h5") as checkpoint:
-                band = (checkpoint["band"][...].reshape(40, y, x) & 1) == 1
-            for _ in range(9):
-                band = grown(band)
-            # Both sides of both faces; along x and y each plane has ghosts of its own, which stand for its ends.
-            cells = sum(int(np.pad(band[plane], 1, mode="wrap").sum()) for plane in (0, 19, 20, 39))
-            self.assertEqual(parallel["band_bytes_per_step"], 17 * cells * width)
+            for last in (steps, 3 * steps):  # the second time resumed: what loading takes is no part of the steps
+                if last > steps:
+                    self.resume_on(2, target, "--steps", last, "--blocks", "1,1,2", "--balance", "cells")
+                parallel = self.summary(target)["parallel"]
+                # Two ranks, two faces each, both towards the other rank: one message each way a step.
+                self.assertEqual(parallel["population_bytes_per_step"], 2 * 2 * 5 * x * y * width)
+                self.assertEqual(parallel["population_messages_per_step"], 2)
+                with h5py.File(self.directory / target / f"checkpoints/step_{last:09}.h5") as checkpoint:
+                    band = (checkpoint["band"][...].reshape(40, y, x) & 1) == 1
+                for _ in range(9):
+                    band = grown(band)
+                # Both sides of both faces; along x and y each plane has ghosts of its own, which stand for its ends.
+                cells = sum(int(np.pad(band[plane], 1, mode="wrap").sum()) for plane in (0, 19, 20, 39))
+                self.assertEqual(parallel["band_bytes_per_step"], 17 * cells * width)
 
     def test_how_the_work_was_shared_out_is_told(self):
         self.run_on(4, "balanced")
@@ -172,10 +186,18 @@ class Report(Ranks):
             sizes[balance] = [rank["size"][1] for rank in self.summary(balance)["parallel"]["ranks"]]
         self.assertEqual(sizes["cells"], [30, 30, 30])
         self.assertLess(sizes["interface"][1], 25)  # the one in the middle holds the vesicle
+        self.assertLess(abs(sizes["interface"][0] - sizes["interface"][2]), 6)
         # On resume they are cut by where the interface is then.
         self.resume_on(2, "cells", "--steps", 4, "--blocks", "1,2,1", "--balance", "interface")
         halves = [rank["size"][1] for rank in self.summary("cells")["parallel"]["ranks"]]
         self.assertLess(abs(halves[0] - 45), 6)
+        # And where a case starts from an earlier state, by that state rather than by what the case describes.
+        self.case.write_text(CASE.replace("size = [24, 40, 40]", "size = [24, 90, 24]")
+                             .replace("centre = [3, 12, 38]", "centre = [12, 68, 12]") + '[initial]\ncheckpoint = "cells"\n')
+        self.run_on(3, "moved", "--blocks", "1,3,1", "--steps", 2)
+        thirds = [rank["size"][1] for rank in self.summary("moved")["parallel"]["ranks"]]
+        self.assertLess(thirds[1], 25)
+        self.assertLess(abs(thirds[0] - thirds[2]), 6)
 
 
 class Refused(Ranks):

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -126,6 +127,17 @@ TEST_CASE("bands grown block by block are the band of the whole box", "[lattice]
                     parted.insert(parted.end(), inner.begin(), inner.end());
                     std::sort(parted.begin(), parted.end());
                     CHECK(parted == band.of_level(level));
+                    // What neighbours wait for lies in the rim's tiles.
+                    std::vector<bool> late(static_cast<std::size_t>(band.compact_size() / Grid::tile), false);
+                    for (const std::int32_t index : inner)
+                        late[static_cast<std::size_t>(band.tiles()[static_cast<std::size_t>(index)].slot() /
+                                                      Grid::tile)] = true;
+                    std::int64_t missed = 0;
+                    for (const Band::PartCells& part : band.part_cells())
+                        missed += std::count_if(part.rim.begin(), part.rim.end(), [&](std::int32_t address) {
+                            return late[static_cast<std::size_t>(address / Grid::tile)];
+                        });
+                    CHECK(missed == 0);
                 }
             }
             CHECK(together == levels_of(one, whole, nowhere));
@@ -143,6 +155,7 @@ TEST_CASE("once blocks have told each other their rims, every link of a band's c
             std::vector<int> members(core.size(), BandTile::levels);
             std::vector<Band> bands;
             std::vector<std::vector<std::int64_t>> values;
+            std::vector<std::vector<std::int64_t>> before; // messages leave before ghosts have been copied
             for (int self = 0; self < cut.count(); ++self) {
                 const Block block = cut.block(self);
                 Band& band = bands.emplace_back(block);
@@ -156,12 +169,13 @@ TEST_CASE("once blocks have told each other their rims, every link of a band's c
                                 static_cast<std::int64_t>(cell_number(
                                     band.grid().tile_origin(t.tile) + block.own.begin + Vec3<int>{k, 0, 0},
                                     cut.box));
+                before.push_back(own);
                 for (const Band::GhostCopy& copy : band.ghost_copies()) {
                     CHECK(own[static_cast<std::size_t>(copy.to)] == -1);
+                    CHECK(own[static_cast<std::size_t>(copy.from)] != -1);
                     own[static_cast<std::size_t>(copy.to)] = own[static_cast<std::size_t>(copy.from)];
                 }
             }
-            const std::vector<std::vector<std::int64_t>> before = values;
             for (int self = 0; self < cut.count(); ++self) {
                 const std::vector<HaloPart> parts = halo_parts(cut.block(self));
                 const auto at = static_cast<std::size_t>(self);
@@ -179,6 +193,16 @@ TEST_CASE("once blocks have told each other their rims, every link of a band's c
                     }
                 }
             }
+            std::int64_t idle = 0; // tiles with an address that hold nothing of the band
+            for (std::size_t at = 0; at < bands.size(); ++at)
+                for (std::int64_t t = 0; t < bands[at].grid().tiles(); ++t)
+                    if (const std::int32_t slot = bands[at].slot_of_tile(t); slot >= 0) {
+                        const auto first = values[at].begin() + slot;
+                        idle += std::count(first, first + Grid::tile, -1) == Grid::tile ? 1 : 0;
+                    }
+            // Where all axes are cut, corners that no link reaches may have an address.
+            const Vec3<int> pieces = cut.blocks();
+            CHECK((idle == 0 || std::min({pieces.x, pieces.y, pieces.z}) > 1));
             std::int64_t wrong = 0;
             for (int self = 0; self < cut.count(); ++self) {
                 const auto at = static_cast<std::size_t>(self);
@@ -200,4 +224,33 @@ TEST_CASE("once blocks have told each other their rims, every link of a band's c
             }
             CHECK(wrong == 0);
         }
+}
+
+TEST_CASE("a block's band remembers nothing of the core it had before", "[lattice]") {
+    std::mt19937_64 random(11);
+    for (const CutBox& cut : cut_boxes()) {
+        INFO("box " << cut.box.x << " x " << cut.box.y << " x " << cut.box.z);
+        const std::vector<char> first = random_core(cut.box, 6, random);
+        const std::vector<char> second = random_core(cut.box, 3, random);
+        for (int self = 0; self < cut.count(); ++self) {
+            const Block block = cut.block(self);
+            Band moved(block);
+            moved.rebuild(seeds_in(block, first), seeds_of_others(cut, self, first));
+            moved.rebuild(seeds_in(block, second), seeds_of_others(cut, self, second));
+            Band fresh(block);
+            fresh.rebuild(seeds_in(block, second), seeds_of_others(cut, self, second));
+            CHECK(moved.compact_size() == fresh.compact_size());
+            CHECK(moved.cell_count() == fresh.cell_count());
+            for (int level = 0; level <= Band::outermost; ++level) {
+                CHECK(moved.of_level(level) == fresh.of_level(level));
+                CHECK(moved.rim_of_level(level) == fresh.rim_of_level(level));
+                CHECK(moved.inner_of_level(level) == fresh.inner_of_level(level));
+            }
+            REQUIRE(moved.part_cells().size() == fresh.part_cells().size());
+            for (std::size_t part = 0; part < fresh.part_cells().size(); ++part) {
+                CHECK(moved.part_cells()[part].rim == fresh.part_cells()[part].rim);
+                CHECK(moved.part_cells()[part].ghosts == fresh.part_cells()[part].ghosts);
+            }
+        }
+    }
 }

@@ -62,6 +62,8 @@ TEST_CASE("a box is cut across its long axes, and across x last", "[parallel]") 
     CHECK(*choose_blocks({64, 64, 64}, 8) == Vec3<int>{1, 2, 4});
     CHECK(*choose_blocks({256, 32, 32}, 4) == Vec3<int>{4, 1, 1});
     CHECK(*choose_blocks({32, 256, 32}, 4) == Vec3<int>{1, 4, 1});
+    CHECK(*choose_blocks({100, 64, 64}, 2) == Vec3<int>{1, 1, 2}); // less than twice as long
+    CHECK(*choose_blocks({140, 64, 64}, 2) == Vec3<int>{2, 1, 1});
     const Vec3<int> many = *choose_blocks({1024, 1024, 1024}, 4096);
     CHECK(many.x * many.y * many.z == 4096);
     CHECK(many.x >= 8);

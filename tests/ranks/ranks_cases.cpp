@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -136,4 +137,37 @@ TEST_CASE("each part of a block's surface goes to one neighbour and comes from t
     }
     CHECK(sent == std::vector<int>(sent.size(), 1));
     CHECK(received == sent);
+}
+
+TEST_CASE("messages to linked neighbours arrive time after time, and what left is counted") {
+    const Ranks ranks = Ranks::all();
+    const Vec3<int> box{80, 82, 84};
+    const Neighbourhood neighbourhood(ranks, BlockLayout(box, *choose_blocks(box, ranks.count())));
+    Messages messages(neighbourhood);
+    std::int64_t sent = 0;
+    std::int64_t bytes = 0;
+    for (int round = 0; round < 4; ++round) {
+        const auto filled_with = [&](int rank) {
+            return static_cast<std::byte>(10 * rank + round);
+        };
+        std::vector<std::size_t> lengths; // the same both ways, some of them nothing
+        for (const Neighbourhood::Neighbour& neighbour : neighbourhood.linked_neighbours())
+            lengths.push_back(static_cast<std::size_t>((ranks.rank() + neighbour.rank + round) % 3 * 70));
+        messages.resize(lengths, lengths);
+        for (std::size_t k = 0; k < lengths.size(); ++k) {
+            std::fill_n(messages.outgoing(k), lengths[k], filled_with(ranks.rank()));
+            sent += lengths[k] > 0 ? 1 : 0;
+            bytes += static_cast<std::int64_t>(lengths[k]);
+        }
+        messages.start();
+        messages.progress();
+        messages.finish();
+        for (std::size_t k = 0; k < lengths.size(); ++k) {
+            const std::vector<std::byte> expected(lengths[k],
+                                                  filled_with(neighbourhood.linked_neighbours()[k].rank));
+            CHECK(std::equal(expected.begin(), expected.end(), messages.incoming(k)));
+        }
+    }
+    CHECK(messages.messages_sent() == sent);
+    CHECK(messages.bytes_sent() == bytes);
 }
