@@ -1,5 +1,6 @@
 #pragma once
 
+#include "case/flow_parameters.hpp"
 #include "core/vec3.hpp"
 
 #include <cstdint>
@@ -112,7 +113,8 @@ struct VesicleType {
     double viscosity_ratio = 1.0; ///< inner / outer
     BendingParameters bending;
     AreaParameters area;
-    double sigma = 0.0; ///< constant tension
+    double sigma = 0.0;      ///< constant tension
+    Vec3<double> buoyancy{}; ///< force per volume on what is inside
 
     friend bool operator==(const VesicleType&, const VesicleType&) = default;
 };
@@ -194,11 +196,36 @@ struct NumericsParameters {
 
 /// Everything that decides the trajectory. Two equal Parameters give the same bits.
 struct Parameters {
-    Vec3<int> size{}; ///< cells
+    Vec3<int> size{};               ///< cells of the fluid's box
+    std::array<AxisEnds, 3> ends{}; ///< of each axis
     FluidParameters fluid;
+    FlowParameters flow;
+    /// Force per volume on pure inner fluid in a cell beside a solid, towards it; below zero, away from it.
+    double wetting = -0.005;
     std::vector<VesicleType> types;
     std::vector<VesicleParameters> vesicles;
     NumericsParameters numerics;
+
+    /// Layers of solid cells behind the upper end of an axis that is not periodic; the periodic lattice joins
+    /// them to the lower end, so that each end has one of its own.
+    static constexpr int wall_layers = 2;
+
+    bool has_walls(int axis) const {
+        return std::holds_alternative<WallEnds>(ends[static_cast<std::size_t>(axis)]);
+    }
+    bool is_open(int axis) const {
+        return std::holds_alternative<OpenEnds>(ends[static_cast<std::size_t>(axis)]);
+    }
+    bool is_bounded(int axis) const { return has_walls(axis) || is_open(axis); }
+    bool is_bounded() const { return is_bounded(0) || is_bounded(1) || is_bounded(2); }
+
+    /// Cells of the lattice: the fluid's and the walls'.
+    Vec3<int> lattice() const {
+        Vec3<int> cells = size;
+        for (int a = 0; a < 3; ++a)
+            cells[a] += is_bounded(a) ? wall_layers : 0;
+        return cells;
+    }
 
     friend bool operator==(const Parameters&, const Parameters&) = default;
 };

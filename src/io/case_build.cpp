@@ -1,6 +1,7 @@
 #include "io/case_build.hpp"
 
 #include "case/resolution.hpp"
+#include "io/case_build_flow.hpp"
 #include "io/case_build_vesicle.hpp"
 #include "io/case_fit.hpp"
 
@@ -246,6 +247,7 @@ void build_case(CaseValues& values, const CaseUnits& units, const std::filesyste
     parameters.size = read_size(values);
     parameters.fluid = read_fluid(values, units);
     parameters.numerics = read_numerics(values);
+    build_flow(values, parameters);
     for (const std::string& path : values.tables.at("vesicle_type.*"))
         parameters.types.push_back(build_vesicle_type(values, path));
     for (const std::string& path : values.tables.at("vesicle[]")) {

@@ -102,6 +102,8 @@ VesicleType build_vesicle_type(const CaseValues& values, const std::string& path
     type.bending = read_bending(values, path + ".bending");
     type.area = read_area(values, path + ".area");
     type.sigma = values.number(path + ".tension.sigma");
+    for (int a = 0; a < 3; ++a)
+        type.buoyancy[a] = values.number(path + ".buoyancy", static_cast<std::size_t>(a));
     return type;
 }
 

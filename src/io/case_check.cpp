@@ -41,8 +41,8 @@ private:
         if (const UnavailableTable* unavailable = find_unavailable_table(generic)) {
             throw InputError(
                 member.key_place,
-                fmt::format("{} is not available yet ({}); expected a fluid at rest in a periodic box with "
-                            "one vesicle; try removing it",
+                fmt::format("{} is not available yet ({}); expected one vesicle in a periodic box or between "
+                            "walls; try removing it",
                             path, unavailable->meaning));
         }
         if (const CaseKey* key = find_case_key(generic)) {

@@ -9,4 +9,7 @@ namespace vesica::detail {
 /// The keys of [numerics], [run], [output] and [units].
 std::vector<CaseKey> run_and_output_keys();
 
+/// The keys of [boundary] and [flow].
+std::vector<CaseKey> flow_keys();
+
 } // namespace vesica::detail

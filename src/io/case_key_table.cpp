@@ -196,6 +196,14 @@ std::vector<CaseKey> vesicle_type_keys() {
          .default_value = "0.0",
          .dimension = dimension::tension,
          .range = {.low = 0.0, .high = 10.0}},
+        {.path = type + "buoyancy",
+         .kind = KeyKind::point,
+         .meaning = "force per volume on what is inside, as of another density; in a box without walls "
+                    "everything is "
+                    "pushed back by as much in all",
+         .default_value = "[0, 0, 0]",
+         .dimension = dimension::force_density,
+         .range = {.low = -1.0, .high = 1.0}},
     };
 }
 
@@ -287,13 +295,13 @@ std::vector<CaseKey> all_keys() {
          .default_value = "\"\""},
         {.path = "lattice.size",
          .kind = KeyKind::cells,
-         .meaning = "of the periodic box",
+         .meaning = "of the fluid's box, periodic but where [boundary] or [flow.shear] has walls",
          .example = "[64, 64, 64]",
          .need = Need::required,
          .range = {.low = 1.0, .high = 65536.0}},
     };
-    for (const auto& part :
-         {fluid_keys(), vesicle_type_keys(), vesicle_keys(), detail::run_and_output_keys()})
+    for (const auto& part : {fluid_keys(), vesicle_type_keys(), vesicle_keys(), detail::flow_keys(),
+                             detail::run_and_output_keys()})
         keys.insert(keys.end(), part.begin(), part.end());
     return keys;
 }

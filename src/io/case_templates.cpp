@@ -1,6 +1,9 @@
 #include "io/case_templates.hpp"
 
+#include "io/case_template_parts.hpp"
+
 #include <array>
+#include <vector>
 
 namespace vesica {
 namespace {
@@ -263,7 +266,13 @@ checkpoint = { every = 4000, keep = 2 }
 } // namespace
 
 std::span<const CaseTemplate> case_templates() {
-    return templates;
+    static const std::vector<CaseTemplate> all = [] {
+        std::vector<CaseTemplate> list(templates.begin(), templates.end());
+        const auto flow = detail::flow_templates();
+        list.insert(list.end(), flow.begin(), flow.end());
+        return list;
+    }();
+    return all;
 }
 
 } // namespace vesica

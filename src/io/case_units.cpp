@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <cmath>
 
 namespace vesica {
 namespace {
@@ -148,13 +149,25 @@ double first_bending_modulus(const CaseValues& values) {
     return paper ? *modulus / 4.0 : *modulus;
 }
 
+/// Re over the density, from the flow's shear rate or, without a shear, the membrane's own velocity.
+double reynolds_per_density(const CaseValues& values, double eta, double radius) {
+    const std::string path = "flow.shear.rate";
+    if (!values.has_table("flow.shear"))
+        return first_bending_modulus(values) / (eta * eta * radius);
+    const auto rate = si_value(values, path);
+    if (!rate || *rate == 0.0)
+        values.refuse(path,
+                      "expected a rate other than 0 with its unit, from which units.reynolds scales the "
+                      "inertia; try rate = \"100 1/s\"");
+    return std::abs(*rate) * radius * radius / eta;
+}
+
 CaseUnits close_with_reynolds(const CaseValues& values, double cell) {
     const double reynolds = values.number("units.reynolds");
     const double density = true_density(values, "from which units.reynolds scales the inertia");
     const double eta = true_dynamic_viscosity(values, density, "from which units.reynolds finds the step");
     const double radius = first_radius(values, cell);
-    const double kappa = first_bending_modulus(values);
-    const double group = kappa / (eta * eta * radius); // Re per density
+    const double group = reynolds_per_density(values, eta, radius);
     const double scaled = reynolds / group;
     const double nu = chosen_lattice_viscosity(values);
     return {Scales{cell, nu * cell * cell * scaled / eta, scaled},
@@ -187,10 +200,10 @@ Exactly one of three keys closes the rest:
   viscosity with a unit, or is given as a lattice number.
 - `density` is the fluid's density; `fluid.density` is then left out. The viscosity has a unit, and the step is
   `nu_lattice cell^2/nu`, where the lattice viscosity is chosen by `fluid.relaxation_time` (1 if absent).
-- `reynolds` scales the inertia. Without flow, the membrane's own velocity is U = kappa/(eta R0^2), so that
-  Re = rho U R0/eta = rho kappa/(eta^2 R0), with R0 and kappa of the first vesicle. Viscosity, modulus, radius (and so
-  all times) stay real; the fluid is made denser, rho' = Re eta^2 R0/kappa, until Re is the one asked for. A red cell in
-  water has Re about 5e-5. `fluid.density`, the viscosity and the bending modulus have units; the step is
+- `reynolds` scales the inertia. In a shear Re = rho gamma R0^2/eta; without one the membrane's own velocity
+  U = kappa/(eta R0^2) makes it rho kappa/(eta^2 R0), with R0 and kappa of the first vesicle. Viscosity, modulus, radius
+  (and so all times) stay real; the fluid is made denser until Re is the one asked for. A red cell in water has Re about
+  5e-5 by itself, and 6e-4 at 100 1/s. `fluid.density`, the viscosity and the rate (or the bending modulus) have units; the step is
   `nu_lattice cell^2 rho'/eta`, the lattice viscosity chosen by `fluid.relaxation_time` (1 if absent).
 
 With `density` or `reynolds`, `relaxation_time` may therefore stand beside a viscosity with a unit: one is the lattice's

@@ -12,8 +12,9 @@ constexpr int tile = Grid::tile;
 
 } // namespace
 
-Band::Band(const Block& block)
+Band::Band(const Block& block, const SolidCells* solids)
     : block_(block),
+      solids_(solids),
       grid_(block.own.size),
       growth_(block),
       parts_(halo_parts(block)),
@@ -33,6 +34,8 @@ void Band::clear() {
     tiles_.clear();
     ghost_copies_.clear();
     part_cells_.clear();
+    solid_cells_.clear();
+    fluid_neighbours_.clear();
     for (int level = 0; level <= outermost; ++level) {
         of_level_[level].clear();
         rim_of_level_[level].clear();
@@ -93,6 +96,8 @@ void Band::lay_out() {
     compact_size_ = address + tile;
     list_tiles(members);
     list_ghost_copies(members);
+    if (solids_ != nullptr)
+        list_solid_cells();
     occupied_ = std::move(members);
     if (parts_.empty())
         return;
@@ -109,10 +114,13 @@ void Band::list_tiles(const std::vector<std::int64_t>& members) {
         band_tile.tile = t;
         band_tile.cell = t * tile;
         for (int level = 0; level <= outermost; ++level) {
-            band_tile.bits[level] = own_bits(level, t);
-            if (band_tile.bits[level] != 0)
+            const std::uint8_t grown = own_bits(level, t);
+            if (grown != 0)
                 of_level_[level].push_back(static_cast<std::int32_t>(tiles_.size()));
+            band_tile.bits[level] =
+                solids_ != nullptr ? static_cast<std::uint8_t>(grown & ~solids_->of_tile(t)) : grown;
         }
+        band_tile.beside_solid = solids_ != nullptr && solids_->near(t);
         cell_count_ += std::popcount(band_tile.bits[outermost]);
         link(band_tile);
         if (!tiles_.empty())
@@ -191,10 +199,41 @@ void Band::separate_rim() {
         }
 }
 
+void Band::list_solid_cells() {
+    const auto lowest_level = [&](const Vec3<int>& cell) {
+        int level = 0;
+        while (level <= outermost && !growth_.has(level, cell))
+            ++level;
+        return level;
+    };
+    for (const BandTile& t : tiles_) {
+        const Vec3<int> first = grid_.tile_origin(t.tile);
+        const unsigned solid = solids_->of_tile(t.tile) & grid_.interior_bits(first);
+        for (int k = 0; k < tile; ++k) {
+            if ((solid >> k & 1u) == 0)
+                continue;
+            SolidCell cell{t.slot() + k, static_cast<std::uint32_t>(fluid_neighbours_.size()), 0};
+            for (int i = 1; i < direction_count; ++i) {
+                const Vec3<int> beside =
+                    first + Vec3<int>{k + velocity(i, 0), velocity(i, 1), velocity(i, 2)};
+                const int level = solids_->has(grid_.index(beside)) ? outermost + 1 : lowest_level(beside);
+                if (level <= outermost)
+                    fluid_neighbours_.push_back(
+                        {address_of(beside), static_cast<std::int8_t>(i), static_cast<std::int8_t>(level)});
+            }
+            cell.end = static_cast<std::uint32_t>(fluid_neighbours_.size());
+            if (cell.end > cell.begin)
+                solid_cells_.push_back(cell);
+        }
+    }
+}
+
 std::size_t Band::bytes() const {
     std::size_t sum = slot_of_tile_.capacity() * sizeof(std::int32_t) + tiles_.capacity() * sizeof(BandTile) +
                       ghost_copies_.capacity() * sizeof(GhostCopy) +
-                      occupied_.capacity() * sizeof(std::int64_t) + growth_.bytes();
+                      occupied_.capacity() * sizeof(std::int64_t) + growth_.bytes() +
+                      solid_cells_.capacity() * sizeof(SolidCell) +
+                      fluid_neighbours_.capacity() * sizeof(FluidNeighbour);
     for (int level = 0; level <= outermost; ++level)
         sum += (of_level_[level].capacity() + rim_of_level_[level].capacity() +
                 inner_of_level_[level].capacity()) *

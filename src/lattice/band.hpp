@@ -3,6 +3,7 @@
 #include "lattice/band_growth.hpp"
 #include "lattice/block.hpp"
 #include "lattice/grid.hpp"
+#include "lattice/solid_cells.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -16,7 +17,8 @@ struct BandTile {
     std::int64_t cell = 0;     ///< index of its first cell in the grid
     std::int64_t tile = 0;     ///< index of the tile in the grid
     std::int32_t rows[9] = {}; ///< compact address of the tile below each (dy, dz), (dy + 1) + 3 (dz + 1)
-    std::uint8_t bits[levels] = {}; ///< its cells in level 0, 1, ...; cells of the box only, no ghosts
+    std::uint8_t bits[levels] = {}; ///< its fluid cells in level 0, 1, ...; cells of the box only, no ghosts
+    bool beside_solid = false;      ///< a neighbour of one of its cells is solid
     bool followed = false; ///< the band's next tile lies beside it, and so it is in each of the nine rows
 
     /// Compact address of its first cell.
@@ -46,9 +48,23 @@ public:
         std::vector<std::int32_t> ghosts;
     };
 
+    /// A fluid cell beside a solid one.
+    struct FluidNeighbour {
+        std::int32_t address = 0;
+        std::int8_t direction = 0; ///< of the link that leads there
+        std::int8_t level = 0;     ///< the lowest it belongs to
+    };
+    struct SolidCell {
+        std::int32_t address = 0;
+        std::uint32_t begin = 0; ///< of its share of fluid_neighbours()
+        std::uint32_t end = 0;
+    };
+
     Band() = default;
     explicit Band(const Grid& grid) : Band(Block::whole(grid.size())) {}
-    explicit Band(const Block& block);
+    /// `solids` may be null and must outlive the band. The band grows through solid cells, and lists their
+    /// tiles, but they belong to no level.
+    explicit Band(const Block& block, const SolidCells* solids = nullptr);
 
     /// Grows the band anew from its core. Seeds hold cells of the block, each tile at most once; with them
     /// the core of others, as far as it lies within BandGrowth::core_reach of the block.
@@ -75,6 +91,10 @@ public:
         return slot_of_tile_[static_cast<std::size_t>(tile)];
     }
 
+    /// The block's solid cells that have fluid cells of the band beside them, and those.
+    const std::vector<SolidCell>& solid_cells() const { return solid_cells_; }
+    const std::vector<FluidNeighbour>& fluid_neighbours() const { return fluid_neighbours_; }
+
     /// Cells of all levels.
     std::int64_t cell_count() const { return cell_count_; }
     std::size_t bytes() const;
@@ -89,6 +109,7 @@ private:
     void list_ghost_copies(const std::vector<std::int64_t>& members);
     void list_part_cells();
     void separate_rim();
+    void list_solid_cells();
 
     /// Cells of a tile of the grid that belong to the level and to the block.
     std::uint8_t own_bits(int level, std::int64_t tile) const {
@@ -103,6 +124,7 @@ private:
     }
 
     Block block_;
+    const SolidCells* solids_ = nullptr;
     Grid grid_;
     BandGrowth growth_;
     std::vector<HaloPart> parts_;
@@ -112,6 +134,8 @@ private:
     std::vector<std::int32_t> inner_of_level_[BandTile::levels];
     std::vector<GhostCopy> ghost_copies_;
     std::vector<PartCells> part_cells_;
+    std::vector<SolidCell> solid_cells_;
+    std::vector<FluidNeighbour> fluid_neighbours_;
     std::vector<std::int32_t> slot_of_tile_;
     std::vector<std::int64_t> occupied_; ///< tiles that have an address
     std::int64_t compact_size_ = 0;

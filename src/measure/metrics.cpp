@@ -4,9 +4,11 @@
 #include "measure/area.hpp"
 #include "measure/curvature_integrals.hpp"
 #include "measure/diameter.hpp"
+#include "measure/in_flow.hpp"
 #include "measure/solid_body.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -45,6 +47,10 @@ constexpr std::array columns = {
     Column{"max_speed", &MetricsRow::max_speed},
     Column{"mass_drift", &MetricsRow::mass_drift},
     Column{"gap", &MetricsRow::gap},
+    Column{"tank_treading_frequency", &MetricsRow::tank_treading_frequency},
+    Column{"particle_stress", &MetricsRow::particle_stress},
+    Column{"effective_viscosity", &MetricsRow::effective_viscosity},
+    Column{"wall_stress", &MetricsRow::wall_stress},
 };
 
 const Column& column_named(std::string_view name) {
@@ -59,6 +65,33 @@ const Column& column_named(std::string_view name) {
         message += column.name;
     }
     throw InputError(message);
+}
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The walls' mean stress along the flow: half of what the upper one drives and the lower one holds.
+double wall_stress(const Snapshot& snapshot, const ShearPlane& plane) {
+    const int axis = plane.gradient.x != 0.0 ? 0 : plane.gradient.y != 0.0 ? 1 : 2;
+    if (!snapshot.walls[axis])
+        return unknown;
+    const auto& force = snapshot.wall_force[static_cast<std::size_t>(axis)];
+    const double area = snapshot.size.x * snapshot.size.y * snapshot.size.z / snapshot.size[axis];
+    return 0.5 * dot(force[1] - force[0], plane.flow) / area;
+}
+
+void measure_flow(const VesicleSnapshot& vesicle, const Snapshot& snapshot, const MetricsBaseline& baseline,
+                  MetricsRow& row) {
+    row.tank_treading_frequency = row.particle_stress = row.effective_viscosity = row.wall_stress = unknown;
+    if (!baseline.shear_plane)
+        return;
+    const ShearPlane& plane = *baseline.shear_plane;
+    row.tank_treading_frequency = tank_treading_frequency(vesicle, plane);
+    row.particle_stress = particle_stress(vesicle, plane, snapshot.outer_viscosity);
+    row.wall_stress = wall_stress(snapshot, plane);
+    const double volume = snapshot.size.x * snapshot.size.y * snapshot.size.z;
+    if (snapshot.shear_rate != 0.0)
+        row.effective_viscosity =
+            1.0 + row.particle_stress / (snapshot.outer_viscosity * std::abs(snapshot.shear_rate) * volume);
 }
 
 } // namespace
@@ -128,7 +161,9 @@ MetricsRow measure(const VesicleSnapshot& vesicle, const Snapshot& snapshot,
     row.tension = vesicle.tension;
     row.max_speed = snapshot.max_speed;
     row.mass_drift = vesicle.colour_mass / baseline.colour_mass - 1.0;
-    row.gap = std::numeric_limits<double>::quiet_NaN();
+    const double gap = distance_to_walls(vesicle, snapshot);
+    row.gap = std::isfinite(gap) ? gap : unknown;
+    measure_flow(vesicle, snapshot, baseline, row);
     return row;
 }
 

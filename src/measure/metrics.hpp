@@ -39,6 +39,10 @@ struct MetricsRow {
     double max_speed = 0.0;
     double mass_drift = 0.0;
     double gap = 0.0;
+    double tank_treading_frequency = 0.0;
+    double particle_stress = 0.0;
+    double effective_viscosity = 0.0;
+    double wall_stress = 0.0;
 };
 
 /// The names of the columns, in order.

@@ -3,6 +3,7 @@
 #include "core/vec3.hpp"
 #include "measure/layer_moment.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -27,6 +28,7 @@ struct InterfaceCell {
     Vec3<double> u{};     ///< velocity
     double bending_force = 0.0; ///< per membrane area along n
     double tension_force = 0.0; ///< -2 (sigma + sigma_A) H0
+    Vec3<double> force{};       ///< of the membrane on the fluid, per volume
     double weight = 0.0; ///< (beta/2)(1 - phi^2): sum of weight * q approximates int q dA over the layer
     bool has_geometry =
         false; ///< n, H, K, H0, K0, J are meaningful (inside the band where they are computed)
@@ -51,7 +53,8 @@ struct VesicleSnapshot {
     Vec3<double> momentum{}; ///< exact sum of rho_k u over this vesicle's colour
     double bending_modulus = 0.0;
     double spontaneous_curvature = 0.0;
-    double tension = 0.0; ///< sigma plus the constraint's
+    double viscosity_ratio = 1.0; ///< inner / outer
+    double tension = 0.0;         ///< sigma plus the constraint's
     double target_area = std::numeric_limits<double>::quiet_NaN();
     double colour_mass = 0.0; ///< exact sum of this vesicle's density
 };
@@ -60,7 +63,14 @@ struct Snapshot {
     std::int64_t step = 0;
     std::vector<VesicleSnapshot> vesicles;
     double max_speed = 0.0; ///< over the whole box
+    /// What the walls gave the fluid in the last step, per axis the lower and the upper one: force, exact
+    /// sums.
+    std::array<std::array<Vec3<double>, 2>, 3> wall_force{};
     double reference_density = 1.0;
+    double outer_viscosity = 0.0; ///< dynamic
+    double shear_rate = 0.0;      ///< at present, of the shear that is driven
+    Vec3<double> size{};          ///< of the fluid's box, cells
+    Vec3<bool> walls{};           ///< at both ends of an axis
 };
 
 } // namespace vesica

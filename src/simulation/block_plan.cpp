@@ -64,7 +64,7 @@ BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3
 }
 
 PlaneCounts core_of_case(const Parameters& parameters, const Block& block, int threads) {
-    PlaneCounts counts = none_in(parameters.size);
+    PlaneCounts counts = none_in(parameters.lattice());
     const std::shared_ptr<const InitialColours> colours = initial_colours(parameters, block, threads);
     if (colours == nullptr)
         return counts;

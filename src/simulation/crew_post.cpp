@@ -96,7 +96,7 @@ void CrewPost::build(const std::string& case_text, const std::string& name, cons
     const int threads = plain.threads > 0 ? plain.threads : share;
     const Case what = agreed(ranks_, [&] { return read_case_text(text, source); });
     BlockLayout layout = agreed(ranks_, [&] {
-        return layout_for(what.parameters.size, ranks_.count(),
+        return layout_for(what.parameters.lattice(), ranks_.count(),
                           plain.blocks.x > 0 ? std::optional(plain.blocks) : std::nullopt);
     });
     if (plain.balance == Balance::interface && !what.parameters.vesicles.empty())

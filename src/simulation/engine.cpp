@@ -64,7 +64,7 @@ const std::vector<std::string>& field_names() {
 
 std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
                                     std::string_view instruction_set) {
-    return make_engine(parameters, threads, std::make_shared<const Neighbourhood>(parameters.size),
+    return make_engine(parameters, threads, std::make_shared<const Neighbourhood>(parameters.lattice()),
                        instruction_set);
 }
 

@@ -22,18 +22,21 @@ typename LatticeEngine<Real>::Extremes LatticeEngine<Real>::extremes() const {
         Extremes here = nothing_yet();
         for (int x = 0; x < size.x; ++x) {
             const std::int64_t cell = grid_.index(x, y, z);
+            if (solids_.has(cell))
+                continue;
             const Vec3<int> place = block_.own.begin + Vec3<int>{x, y, z};
             const bool in_layer =
                 (in_band[static_cast<std::size_t>(cell / tile_width)] >> (cell % tile_width) & 1) != 0;
             const Moments<double> m = moments_at(cell);
             const Vec3<double> F = force_at(cell);
-            here.speed.take({norm(velocity_of(m, setup_.reference_density, F)), place, in_layer});
+            here.speed.take(
+                {norm(velocity_of(m, setup_.reference_density, whole_force_at(cell))), place, in_layer});
             here.density.take({std::abs(m.density_deviation), place, in_layer});
             here.force.take({norm(F), place, in_layer});
         }
         of_row[static_cast<std::size_t>(r)] = here;
     });
-    Extremes here = of_row.front();
+    Extremes here = nothing_yet();
     for (const Extremes& row : of_row)
         here.take(row);
     Extremes all = here;
@@ -68,7 +71,26 @@ DenseField LatticeEngine<Real>::gathered(const DenseField& part) const {
 
 template <class Real>
 DenseField LatticeEngine<Real>::field(std::string_view name) const {
-    return gathered(own_field(name));
+    return cropped(gathered(own_field(name)));
+}
+
+/// Without the walls' layers.
+template <class Real>
+DenseField LatticeEngine<Real>::cropped(DenseField field) const {
+    const Vec3<int> size = setup_.drive.size();
+    if (field.values.empty() || field.size == size)
+        return field;
+    const auto row = static_cast<std::size_t>(size.x * field.components);
+    std::size_t to = 0;
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y, to += row) {
+            const std::int64_t cell = (std::int64_t{z} * field.size.y + y) * field.size.x;
+            std::copy_n(field.values.begin() + cell * field.components, row,
+                        field.values.begin() + static_cast<std::ptrdiff_t>(to));
+        }
+    field.values.resize(to);
+    field.size = size;
+    return field;
 }
 
 template <class Real>
@@ -76,7 +98,9 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
     const Vec3<int> size = grid_.size();
     const bool vector = name == "velocity" || name == "force" || name == "normal";
     DenseField field{size, vector ? 3 : 1, {}};
-    field.values.assign(static_cast<std::size_t>(grid_.volume() * field.components), 0.0);
+    // What solid cells are said to hold: outer fluid at rest.
+    const double in_solids = name == "phase" ? -1.0 : name == "density" ? setup_.reference_density : 0.0;
+    field.values.assign(static_cast<std::size_t>(grid_.volume() * field.components), in_solids);
     const auto fill = [&](const auto& value_at) {
         for_each_index(std::int64_t{size.y} * size.z, setup_.threads, [&](std::int64_t r) {
             const int y = static_cast<int>(r % size.y);
@@ -84,7 +108,8 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
             for (int x = 0; x < size.x; ++x) {
                 const std::int64_t cell = grid_.index(x, y, z);
                 const auto at = static_cast<std::size_t>((r * size.x + x) * field.components);
-                value_at(cell, field.values.data() + at);
+                if (!solids_.has(cell))
+                    value_at(cell, field.values.data() + at);
             }
         });
     };
@@ -124,7 +149,8 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
         });
     } else if (name == "velocity") {
         fill([&](std::int64_t cell, double* out) {
-            const Vec3<double> u = velocity_of(moments_at(cell), setup_.reference_density, force_at(cell));
+            const Vec3<double> u =
+                velocity_of(moments_at(cell), setup_.reference_density, whole_force_at(cell));
             for (int a = 0; a < 3; ++a)
                 out[a] = u[a];
         });
@@ -161,6 +187,33 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
     return field;
 }
 
+/// A cell of a membrane that lies too near to an end of the box where fluid enters or leaves; of several the
+/// first.
+template <class Real>
+std::optional<Vec3<int>> LatticeEngine<Real>::cell_at_open_end() const {
+    constexpr int too_near = 6;
+    const FlowDrive& drive = setup_.drive;
+    const auto precedes = [](const Vec3<int>& a, const Vec3<int>& b) {
+        return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+    };
+    const Vec3<int> none = block_.box;
+    Vec3<int> first = none;
+    for (const BandTile& t : layer_.band().tiles())
+        for (int k = 0; k < tile_width; ++k) {
+            if ((t.bits[0] >> k & 1) == 0)
+                continue;
+            const Vec3<int> cell = grid_.tile_origin(t.tile) + block_.own.begin + Vec3<int>{k, 0, 0};
+            for (int a = 0; a < 3; ++a)
+                if (drive.is_open(a) && (cell[a] < too_near || cell[a] >= drive.size()[a] - too_near) &&
+                    precedes(cell, first))
+                    first = cell;
+        }
+    for (const Vec3<int>& cell : ranks().gather_all(first))
+        if (precedes(cell, first))
+            first = cell;
+    return first == none ? std::nullopt : std::optional(first);
+}
+
 /// Speeds beyond the range of the equilibrium, densities far from the reference, forces that would move a
 /// cell's fluid by a fair part of its sound speed within a step: a run that shows them is lost.
 template <class Real>
@@ -175,6 +228,10 @@ std::optional<Trouble> LatticeEngine<Real>::trouble() const {
     const auto at = [&](const Extreme& place, const std::string& cause) {
         return Trouble{step_, place.cell, place.in_layer ? 0 : -1, cause};
     };
+    if (const std::optional<Vec3<int>> place = cell_at_open_end())
+        return Trouble{
+            step_, *place, 0,
+            "the vesicle has come within 6 cells of an inlet or outlet, which know nothing of membranes"};
     if (!layer_.empty() && !std::isfinite(membrane_.tension()))
         return Trouble{step_, worst.speed.cell, 0, "tension is not a number"};
     if (!(worst.force.size <= force_allowed))

@@ -90,12 +90,14 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads,
     const FluidParameters& fluid = parameters.fluid;
     setup.neighbourhood = std::move(neighbourhood);
     setup.reference_density = fluid.density;
+    setup.drive = FlowDrive(parameters);
+    setup.outer_viscosity = fluid.density * fluid.kinematic_viscosity;
     setup.rates.outer = setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity);
     setup.ghosts = fluid.ghosts;
     setup.precision = parameters.numerics.precision;
     setup.threads = threads;
-    setup.layer = {fluid.segregation, fluid.density, parameters.numerics.cutoff,
-                   parameters.numerics.geometry};
+    setup.layer = {fluid.segregation, fluid.density, parameters.numerics.cutoff, parameters.numerics.geometry,
+                   parameters.wetting};
     setup.layer_moments = lattice_layer_moments(fluid.segregation);
     if (parameters.vesicles.empty())
         return setup;
@@ -103,6 +105,7 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads,
     const VesicleType& type = parameters.types.at(parameters.vesicles.front().type);
     const std::shared_ptr<const Shape> shape = make_shape(parameters.vesicles.front());
     setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity * type.viscosity_ratio);
+    setup.viscosity_ratio = type.viscosity_ratio;
     setup.bending_modulus = type.bending.modulus;
     if (const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form))
         setup.spontaneous_curvature = helfrich->spontaneous_curvature;

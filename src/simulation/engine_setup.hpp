@@ -3,6 +3,7 @@
 #include "case/parameters.hpp"
 #include "measure/layer_moment.hpp"
 #include "parallel/neighbourhood.hpp"
+#include "simulation/flow_drive.hpp"
 #include "simulation/initial_state.hpp"
 #include "simulation/membrane_model.hpp"
 
@@ -22,18 +23,22 @@ struct LayerSettings {
     double reference_density = 1.0;
     double cutoff = 1e-2;
     GeometryRecipe recipe = GeometryRecipe::mapped;
+    double wetting = 0.0; ///< force per volume on red beside solids, towards them
 };
 
 /// A case's parameters as the engine uses them, the same for every precision and instruction set.
 struct EngineSetup {
     std::shared_ptr<const Neighbourhood> neighbourhood; ///< the block and what lies around it
     double reference_density = 1.0;
+    FlowDrive drive;
     StressRates rates;
     GhostRates ghosts;
     LayerSettings layer;
     LayerMoments layer_moments; ///< of the relaxed layer
     double spontaneous_curvature = 0.0;
     double bending_modulus = 0.0;
+    double outer_viscosity = 0.0; ///< dynamic
+    double viscosity_ratio = 1.0;
     Membrane membrane;
     std::shared_ptr<const InitialColours> colours; ///< null: one fluid
     Precision precision = Precision::double_precision;

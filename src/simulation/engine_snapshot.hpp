@@ -110,7 +110,7 @@ std::vector<InterfaceCell> LatticeEngine<Real>::layer_cells() const {
             const std::int64_t index = t.cell + k;
             const Moments<double> m = moments_at(index);
             cell.density = setup_.reference_density + m.density_deviation;
-            cell.u = velocity_of(m, setup_.reference_density, force_at(index));
+            cell.u = velocity_of(m, setup_.reference_density, whole_force_at(index));
             if (curved && (t.bits[reach::curvature] >> k & 1) != 0) {
                 cell.has_geometry = true;
                 cell.H0 = H0[k];
@@ -126,6 +126,7 @@ std::vector<InterfaceCell> LatticeEngine<Real>::layer_cells() const {
                     cell.tension_force = TensionLaw{membrane_.tension()}.force(force_H0[k]);
                 }
             }
+            cell.force = force_at(index);
             cells.push_back(cell);
         }
     }
@@ -169,7 +170,7 @@ ColourSums LatticeEngine<Real>::colour_sums(const std::vector<InterfaceCell>& ce
             const std::int64_t cell = grid_.index(place);
             const Moments<double> m = moments_at(cell);
             sums.add(setup_.reference_density + m.density_deviation,
-                     velocity_of(m, setup_.reference_density, force_at(cell)));
+                     velocity_of(m, setup_.reference_density, whole_force_at(cell)));
         }
     return sums;
 }
@@ -202,6 +203,17 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     snapshot.step = step_;
     snapshot.reference_density = setup_.reference_density;
     snapshot.max_speed = extremes().speed.size;
+    snapshot.outer_viscosity = setup_.outer_viscosity;
+    snapshot.shear_rate = setup_.drive.shear_rate(step_);
+    for (int a = 0; a < 3; ++a) {
+        snapshot.size[a] = setup_.drive.size()[a];
+        snapshot.walls[a] = setup_.drive.has_walls(a);
+    }
+    if (solids_) {
+        std::vector<WallForce> forces(FlowDrive::wall_count);
+        walls_.add_forces(streaming_, forces);
+        snapshot.wall_force = sums_over(ranks(), forces);
+    }
     if (layer_.empty())
         return snapshot;
     VesicleSnapshot vesicle;
@@ -210,6 +222,7 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     vesicle.layer = setup_.layer_moments;
     vesicle.bending_modulus = setup_.bending_modulus;
     vesicle.spontaneous_curvature = setup_.spontaneous_curvature;
+    vesicle.viscosity_ratio = setup_.viscosity_ratio;
     vesicle.tension = membrane_.tension();
     vesicle.target_area = membrane_.target.at(step_);
     const Unwrap unwrap(block_.box, middle());

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "boundary/bounce_back.hpp"
 #include "boundary/periodic.hpp"
 #include "lattice/band.hpp"
 #include "lattice/populations.hpp"
+#include "lattice/solid_cells.hpp"
 #include "parallel/for_each.hpp"
 #include "parallel/pack.hpp"
 #include "simulation/engine_setup.hpp"
@@ -24,6 +26,18 @@ struct LayerInfluence {
     const std::int32_t* colour_slot = nullptr;
     const Real* red = nullptr;            ///< rho_R/rho there, before streaming: a step does not write it
     const std::uint8_t* inside = nullptr; ///< per tile: bit k set where cell k, outside the band, is red
+};
+
+/// What drives the fluid, and what it cannot pass.
+template <class Real>
+struct FlowInfluence {
+    Vec3<double> body_force{};               ///< per volume, in every cell
+    Vec3<double> buoyancy{};                 ///< per volume of red
+    const SolidCells* solids = nullptr;      ///< null: none
+    const BounceBack<Real>* walls = nullptr; ///< null: none
+
+    bool pushes() const { return body_force != Vec3<double>{} || buoyant(); }
+    bool buoyant() const { return buoyancy != Vec3<double>{}; }
 };
 
 /// lambda between two fluids, from 1/nu linear in the colour's fraction: a layer sheared along itself (equal
@@ -55,25 +69,41 @@ public:
 
     /// `others` is null where the block is the whole box.
     template <class Settled>
-    void operator()(Streaming streaming, const LayerInfluence<Real>& layer, RankBoundary<Real>* others,
-                    int threads, const Settled& settled) const {
+    void operator()(Streaming streaming, const LayerInfluence<Real>& layer, const FlowInfluence<Real>& flow,
+                    RankBoundary<Real>* others, int threads, const Settled& settled) const {
+        const Influence influence{layer, flow, flow.pushes(), layer.contrast || flow.buoyant()};
         if (streaming == Streaming::arrived)
-            step<Streaming::arrived>(layer, others, threads, settled);
+            step<Streaming::arrived>(influence, others, threads, settled);
         else
-            step<Streaming::turned>(layer, others, threads, settled);
+            step<Streaming::turned>(influence, others, threads, settled);
     }
 
 private:
     static constexpr int rows_between_progress = 64;
 
+    struct Influence {
+        const LayerInfluence<Real>& layer;
+        const FlowInfluence<Real>& flow;
+        bool pushed;    ///< by more than the layer
+        bool by_colour; ///< something depends on a cell's colours
+    };
+
     template <Streaming streaming, class Settled>
-    void step(const LayerInfluence<Real>& layer, RankBoundary<Real>* others, int threads,
+    void step(const Influence& influence, RankBoundary<Real>* others, int threads,
               const Settled& settled) const {
         const Vec3<int> size = grid_.size();
         const Vec3<bool> divided = others != nullptr ? others->divided() : Vec3<bool>{};
-        const RowSchedule schedule(size, layer.force_slot != nullptr ? rows_in_cache() : size.y, divided.x);
+        const bool follows = influence.layer.force_slot != nullptr || influence.flow.walls != nullptr;
+        const RowSchedule schedule(size, follows ? rows_in_cache() : size.y, divided.x);
+        const auto settle = [&](int thread, std::int64_t first, std::int64_t last) {
+            if constexpr (streaming == Streaming::turned)
+                collect_rows(first, last, divided);
+            if (influence.flow.walls != nullptr)
+                influence.flow.walls->template reflect_rows<streaming>(first, last);
+            settled(thread, first, last);
+        };
         if (others != nullptr) {
-            step_rim<streaming>(layer, divided, threads);
+            step_rim<streaming>(influence, divided, threads);
             others->template start<streaming>(threads);
         }
         const auto is_done = [&](std::int64_t row) {
@@ -91,24 +121,17 @@ private:
                         others->progress();
                     if (is_done(row))
                         return;
-                    step_row<streaming>(first_cell(row), first_cell(next), begin_x, end_x, layer);
+                    step_row<streaming>(first_cell(row), first_cell(next), begin_x, end_x, influence);
                     if constexpr (streaming == Streaming::arrived)
                         if (!divided.x)
                             boundary_.publish_row(y_of(row), z_of(row));
                 },
-                [&](std::int64_t first, std::int64_t last) {
-                    if constexpr (streaming == Streaming::turned)
-                        collect_rows(first, last, divided);
-                    settled(thread, first, last);
-                });
+                [&](std::int64_t first, std::int64_t last) { settle(thread, first, last); });
         });
         close_boundary<streaming>(divided, others, threads);
         for_each_block(schedule.rows(), threads, [&](int thread, std::int64_t begin, std::int64_t end) {
-            schedule.left_over(begin, end, [&](std::int64_t first, std::int64_t last) {
-                if constexpr (streaming == Streaming::turned)
-                    collect_rows(first, last, divided);
-                settled(thread, first, last);
-            });
+            schedule.left_over(begin, end,
+                               [&](std::int64_t first, std::int64_t last) { settle(thread, first, last); });
         });
     }
 
@@ -140,18 +163,18 @@ private:
 
     /// Rows along the faces across y and z that are divided, and the ends of all others if x is.
     template <Streaming streaming>
-    void step_rim(const LayerInfluence<Real>& layer, const Vec3<bool>& divided, int threads) const {
+    void step_rim(const Influence& influence, const Vec3<bool>& divided, int threads) const {
         const Vec3<int> size = grid_.size();
         for_each_index(std::int64_t{size.y} * size.z, threads, [&](std::int64_t row) {
             const std::int64_t first = first_cell(row);
             if (is_rim(row, divided)) {
-                step_row<streaming>(first, first, 0, size.x, layer);
+                step_row<streaming>(first, first, 0, size.x, influence);
                 if constexpr (streaming == Streaming::arrived)
                     if (!divided.x)
                         boundary_.publish_row(y_of(row), z_of(row));
             } else if (divided.x) {
-                step_row<streaming>(first, first, 0, tile_width, layer);
-                step_row<streaming>(first, first, last_tile(), size.x, layer);
+                step_row<streaming>(first, first, 0, tile_width, influence);
+                step_row<streaming>(first, first, last_tile(), size.x, influence);
             }
         });
     }
@@ -187,23 +210,26 @@ private:
     /// The tiles of a row from begin_x to end_x, as many at once as fill a register.
     template <Streaming streaming>
     void step_row(std::int64_t first, std::int64_t next_first, int begin_x, int end_x,
-                  const LayerInfluence<Real>& layer) const {
+                  const Influence& influence) const {
         constexpr int most = tiles_per_register<Real>;
         for (int x = begin_x; x < end_x;) {
             if constexpr (most > 1)
-                if (x + most * tile_width <= end_x && side_by_side<most>((first + x) / tile_width, layer)) {
-                    step_tiles<streaming, Pack<Real, most * tile_width>>(first + x, next_first + x, layer);
+                if (x + most * tile_width <= end_x &&
+                    side_by_side<most>((first + x) / tile_width, influence)) {
+                    step_tiles<streaming, Pack<Real, most * tile_width>>(first + x, next_first + x,
+                                                                         influence);
                     x += most * tile_width;
                     continue;
                 }
-            step_tiles<streaming, Pack<Real>>(first + x, next_first + x, layer);
+            step_tiles<streaming, Pack<Real>>(first + x, next_first + x, influence);
             x += tile_width;
         }
     }
 
     /// Whether what the layer tells of these tiles can be read as one.
     template <int count>
-    static bool side_by_side(std::int64_t tile, const LayerInfluence<Real>& layer) {
+    static bool side_by_side(std::int64_t tile, const Influence& influence) {
+        const LayerInfluence<Real>& layer = influence.layer;
         const auto follow = [&](const std::int32_t* slot) {
             for (int k = 1; k < count; ++k)
                 if (slot[tile + k] != (slot[tile] < 0 ? -1 : slot[tile] + k * tile_width))
@@ -211,24 +237,44 @@ private:
             return true;
         };
         return layer.force_slot == nullptr ||
-               (follow(layer.force_slot) && (!layer.contrast || follow(layer.colour_slot)));
+               (follow(layer.force_slot) && (!influence.by_colour || follow(layer.colour_slot)));
     }
 
     /// Cells without a force have a text of their own.
     template <Streaming streaming, class V>
-    VESICA_INLINE void step_tiles(std::int64_t cell, std::int64_t next,
-                                  const LayerInfluence<Real>& layer) const {
+    VESICA_INLINE void step_tiles(std::int64_t cell, std::int64_t next, const Influence& influence) const {
+        const LayerInfluence<Real>& layer = influence.layer;
         const std::int64_t tile = cell / tile_width;
+        std::uint32_t solid = 0;
+        if (influence.flow.solids != nullptr) {
+            solid = influence.flow.solids->of_tiles(tile, V::width / tile_width);
+            if (solid == static_cast<std::uint32_t>((std::uint64_t{1} << V::width) - 1))
+                return;
+        }
         const V rate = layer.contrast ? local_rate<V>(tile, layer) : V(rates_.outer);
         const std::int32_t slot = layer.force_slot != nullptr ? layer.force_slot[tile] : -1;
-        if (slot < 0)
-            collide<streaming>(cell, next, Vec3<V>{V(0), V(0), V(0)}, rate);
-        else
-            collide<streaming>(cell, next,
-                               Vec3<V>{V::load(layer.force.component(0) + slot),
-                                       V::load(layer.force.component(1) + slot),
-                                       V::load(layer.force.component(2) + slot)},
-                               rate);
+        if (slot < 0 && !influence.pushed) {
+            collide<streaming>(cell, next, Vec3<V>{V(0), V(0), V(0)}, rate, solid);
+            return;
+        }
+        Vec3<V> F{V(0), V(0), V(0)};
+        if (slot >= 0)
+            F = {V::load(layer.force.component(0) + slot), V::load(layer.force.component(1) + slot),
+                 V::load(layer.force.component(2) + slot)};
+        if (influence.pushed)
+            F = F + flow_force<V>(tile, influence);
+        collide<streaming>(cell, next, F, rate, solid);
+    }
+
+    template <class V>
+    Vec3<V> flow_force(std::int64_t tile, const Influence& influence) const {
+        const FlowInfluence<Real>& flow = influence.flow;
+        Vec3<V> F{V(flow.body_force.x), V(flow.body_force.y), V(flow.body_force.z)};
+        if (flow.buoyant() && influence.layer.colour_slot != nullptr) {
+            const V red = red_at<V>(tile, influence.layer);
+            F = F + Vec3<V>{red * V(flow.buoyancy.x), red * V(flow.buoyancy.y), red * V(flow.buoyancy.z)};
+        }
+        return F;
     }
 
     template <class V>
@@ -236,16 +282,28 @@ private:
         const std::int32_t slot = layer.colour_slot[tile];
         if (slot >= 0)
             return rate_between(rates_, V::load(layer.red + slot));
-        std::uint32_t inside = layer.inside[tile];
+        return select<Real>(inside<V>(tile, layer), V(rates_.inner), V(rates_.outer));
+    }
+
+    template <class V>
+    V red_at(std::int64_t tile, const LayerInfluence<Real>& layer) const {
+        const std::int32_t slot = layer.colour_slot[tile];
+        return slot >= 0 ? V::load(layer.red + slot) : select<Real>(inside<V>(tile, layer), V(1), V(0));
+    }
+
+    template <class V>
+    static typename V::Mask inside(std::int64_t tile, const LayerInfluence<Real>& layer) {
+        std::uint32_t bits = layer.inside[tile];
         for (int k = 1; k < V::width / tile_width; ++k)
-            inside |= std::uint32_t{layer.inside[tile + k]} << (k * tile_width);
-        return select<Real>(V::mask(inside), V(rates_.inner), V(rates_.outer));
+            bits |= std::uint32_t{layer.inside[tile + k]} << (k * tile_width);
+        return V::mask(bits);
     }
 
     /// The machine foresees long runs of memory only: meanwhile it is asked for the row that comes next, line
-    /// by line between the rest, as it takes few requests at a time.
+    /// by line between the rest, as it takes few requests at a time. Solid cells stay at rest.
     template <Streaming streaming, class V>
-    VESICA_INLINE void collide(std::int64_t cell, std::int64_t next, const Vec3<V>& F, const V& rate) const {
+    VESICA_INLINE void collide(std::int64_t cell, std::int64_t next, const Vec3<V>& F, const V& rate,
+                               std::uint32_t solid) const {
         constexpr int cells_per_line = 64 / static_cast<int>(sizeof(Real));
         const bool new_line = V::width == cells_per_line || next % cells_per_line == 0;
         const auto fetch = [&](auto i, bool in_turn) VESICA_INLINE_LAMBDA {
@@ -258,6 +316,9 @@ private:
             fetch(i, i % 2 == 0);
         });
         collision_(g, F, rate, V(rho0_));
+        if (solid != 0) [[unlikely]]
+            for_each_direction([&](auto i)
+                                   VESICA_INLINE_LAMBDA { g[i] = select<Real>(V::mask(solid), V(0), g[i]); });
         for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
             g[i].store(f_.template departing<streaming, decltype(i)::value>(cell));
             fetch(i, i % 2 == 1);

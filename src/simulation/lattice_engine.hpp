@@ -1,5 +1,6 @@
 #pragma once
 
+#include "boundary/bounce_back.hpp"
 #include "collision/paper_mrt.hpp"
 #include "collision/symmetric_mrt.hpp"
 #include "lattice/unwrap.hpp"
@@ -11,6 +12,7 @@
 #include "simulation/layer_placement.hpp"
 #include "simulation/layer_transport.hpp"
 #include "simulation/step_profile.hpp"
+#include "simulation/wall_forces.hpp"
 
 #include <optional>
 #include <tuple>
@@ -64,8 +66,10 @@ public:
           grid_(block_.own.size),
           populations_(direction_count, grid_.cells()),
           f_(populations_.view(), grid_),
+          solids_(solids_of(setup.drive, block_)),
+          walls_(walls_of(setup.drive)),
           fluid_(std::visit(MakeFluidStep<Real>{grid_, f_, setup}, setup.ghosts)),
-          layer_(setup.neighbourhood, setup.layer),
+          layer_(setup.neighbourhood, setup.layer, solids()),
           membrane_(setup.membrane) {
         if (!block_.is_whole())
             others_.emplace(*setup_.neighbourhood, f_, grid_);
@@ -80,6 +84,7 @@ public:
             find_geometry();
             push_fluid();
         }
+        answer_buoyancy();
     }
 
     void step() override {
@@ -101,7 +106,9 @@ public:
     std::unique_ptr<StatePlanes> planes() const override;
     void load(const EngineState& state) override;
 
-    std::size_t bytes_allocated() const override { return populations_.bytes() + layer_.bytes(); }
+    std::size_t bytes_allocated() const override {
+        return populations_.bytes() + layer_.bytes() + solids_.bytes() + walls_.bytes();
+    }
     double interface_fraction() const override {
         return static_cast<double>(layer_.band().cell_count()) / static_cast<double>(grid_.volume());
     }
@@ -205,8 +212,14 @@ private:
             layer_.transport_rows(f_, streamed, thread, first_row, last_row);
         };
         RankBoundary<Real>* const others = others_ ? &*others_ : nullptr;
+        if (solids_)
+            walls_.set_walls(setup_.drive.walls(step_));
+        const FlowInfluence<Real> flow{body_force(), setup_.drive.buoyancy(), solids(),
+                                       solids_ ? &walls_ : nullptr};
         std::visit(
-            [&](const auto& fluid) { fluid(streaming_, influence(), others, setup_.threads, carry_colours); },
+            [&](const auto& fluid) {
+                fluid(streaming_, influence(), flow, others, setup_.threads, carry_colours);
+            },
             fluid_);
         clock_.concede(StepPart::transport, layer_.end_transport());
         streaming_ = streamed;
@@ -236,6 +249,33 @@ private:
         return influence;
     }
 
+    static SolidCells solids_of(const FlowDrive& drive, const Block& block) {
+        if (!drive.has_solids())
+            return {};
+        return SolidCells(block, [&](const Vec3<int>& cell) { return drive.is_solid(cell); });
+    }
+    BounceBack<Real> walls_of(const FlowDrive& drive) const {
+        if (!drive.has_solids())
+            return {};
+        return BounceBack<Real>(
+            f_, grid_, block_, solids_, FlowDrive::wall_count,
+            [&](const Vec3<int>& cell, int direction) { return drive.link(cell, direction); },
+            setup_.reference_density);
+    }
+    const SolidCells* solids() const { return solids_ ? &solids_ : nullptr; }
+
+    /// In a periodic box nothing else would hold what the vesicles' buoyancy gives the fluid.
+    void answer_buoyancy() {
+        if (!setup_.drive.needs_answer() || layer_.empty())
+            return;
+        const double mass = colour_sums(layer_cells(), inside_spans()).over(ranks()).mass.value();
+        const double share =
+            mass / (setup_.reference_density * static_cast<double>(setup_.drive.fluid_cells()));
+        answer_ = -share * setup_.drive.buoyancy();
+    }
+    /// What pushes every cell at present.
+    Vec3<double> body_force() const { return setup_.drive.body_force(step_) + answer_; }
+
     void fill_at_rest() {
         const FieldView<Real> f = populations_.view();
         const std::int64_t row = grid_.row_stride();
@@ -252,6 +292,27 @@ private:
         return moments_of(g);
     }
 
+    /// rho_R/rho.
+    double red_at(std::int64_t cell) const {
+        if (layer_.empty())
+            return 0.0;
+        const auto tile = static_cast<std::size_t>(cell / tile_width);
+        const std::int32_t slot = layer_.colour_slots()[tile];
+        if (slot >= 0)
+            return static_cast<double>(
+                layer_.fields().red[static_cast<std::size_t>(slot + cell % tile_width)]);
+        return (layer_.inside()[tile] >> (cell % tile_width) & 1) != 0 ? 1.0 : 0.0;
+    }
+
+    /// Everything that pushes a cell.
+    Vec3<double> whole_force_at(std::int64_t cell) const {
+        Vec3<double> force = force_at(cell) + body_force();
+        if (setup_.drive.buoyancy() != Vec3<double>{})
+            force = force + red_at(cell) * setup_.drive.buoyancy();
+        return force;
+    }
+
+    /// The membrane's.
     Vec3<double> force_at(std::int64_t cell) const {
         const std::int32_t slot =
             layer_.empty() ? -1 : layer_.force_slots()[static_cast<std::size_t>(cell / tile_width)];
@@ -271,6 +332,8 @@ private:
     Extremes extremes() const;
     DenseField own_field(std::string_view name) const;
     DenseField gathered(const DenseField& part) const;
+    DenseField cropped(DenseField field) const;
+    std::optional<Vec3<int>> cell_at_open_end() const;
     Vec3<double> middle() const;
     std::vector<InterfaceCell> layer_cells() const;
     std::vector<InsideSpan> inside_spans() const;
@@ -294,6 +357,9 @@ private:
     Grid grid_;
     Field<Real> populations_;
     PopulationView<Real> f_;
+    SolidCells solids_;
+    BounceBack<Real> walls_;
+    Vec3<double> answer_{}; ///< to the buoyancy, per volume
     AnyFluidStep<Real> fluid_;
     Layer<Real> layer_;
     std::optional<RankBoundary<Real>> others_; ///< none where the block is the whole box

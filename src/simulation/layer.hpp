@@ -18,6 +18,7 @@
 #include "simulation/layer_fields.hpp"
 #include "simulation/layer_reach.hpp"
 #include "simulation/membrane_model.hpp"
+#include "simulation/solid_margin.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,12 +52,15 @@ struct alignas(64) TransportSums {
 template <class Real>
 class Layer {
 public:
-    /// In the neighbourhood's block; all ranks make every call that is not const together.
-    Layer(std::shared_ptr<const Neighbourhood> neighbourhood, const LayerSettings& settings)
+    /// In the neighbourhood's block; all ranks make every call that is not const together. `solids` may be
+    /// null (for all ranks) and must outlive the layer.
+    Layer(std::shared_ptr<const Neighbourhood> neighbourhood, const LayerSettings& settings,
+          const SolidCells* solids = nullptr)
         : neighbourhood_(std::move(neighbourhood)),
           settings_(settings),
+          solids_(solids),
           spread_force_(settings.cutoff),
-          band_(neighbourhood_->block()),
+          band_(neighbourhood_->block(), solids),
           halo_(*neighbourhood_),
           inside_(static_cast<std::size_t>(band_.grid().tiles()), 0),
           force_slots_(static_cast<std::size_t>(band_.grid().tiles()), -1),
@@ -89,7 +93,7 @@ public:
     std::size_t bytes() const {
         return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
                (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) +
-               core_bits_.capacity() + row_begins_.capacity() * sizeof(std::int32_t) +
+               core_bits_.capacity() + margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) +
                transport_sums_.capacity() * sizeof(TransportSums);
     }
 
@@ -167,6 +171,7 @@ public:
         };
         share(Band::outermost, threads, {fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi},
               place_surface);
+        extend_into_solids({fields_.s}, Band::outermost, 1.0, threads);
         area_ = merged(area);
         core_has_left_ = ranks().any(std::any_of(departed.begin(), departed.end(),
                                                  [](const Departed& cells) { return cells.bits != 0; }));
@@ -218,12 +223,30 @@ private:
             const V K = t.load(fields_.K0);
             const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
             const Vec3<V> slope = gradient<V>(around(fields_.psi, t));
-            const Vec3<V> F = spread_force_(slope, normal_force);
+            Vec3<V> F = spread_force_(slope, normal_force);
+            if (solids_ != nullptr && t.beside_solid())
+                F = F + wetting_force(t);
             const auto here = t.cells_of(reach::force);
             select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
             select<Real>(here, F.y, V(0)).store(force.component(1) + t.slot());
             select<Real>(here, F.z, V(0)).store(force.component(2) + t.slot());
         });
+    }
+
+    /// Solids repel what is inside, or attract it: a force on red in the cells beside them, along the mean of
+    /// the links that lead there (of length 1 at a flat wall).
+    template <class Tiles>
+    Vec3<typename Tiles::V> wetting_force(const Tiles& t) const {
+        using V = typename Tiles::V;
+        Vec3<V> towards{V(0), V(0), V(0)};
+        for (int i = 1; i < direction_count; ++i) {
+            const auto solid = V::mask(solids_->beside_tiles(t.cell() / tile_width, Tiles::count, i));
+            const V share = select<Real>(solid, V(6.0 * weight(i)), V(0));
+            for (int a = 0; a < 3; ++a)
+                towards[a] += V(velocity(i, a)) * share;
+        }
+        const V strength = V(settings_.wetting) * t.load(fields_.red);
+        return {strength * towards.x, strength * towards.y, strength * towards.z};
     }
 
     bool mapped() const { return settings_.recipe == GeometryRecipe::mapped; }
@@ -250,6 +273,10 @@ private:
                          TransportSums& sums);
     template <Streaming streaming, class Tiles>
     VESICA_INLINE void transport_tile(const PopulationView<Real>& f, const Tiles& t, TransportSums& sums);
+
+    template <class Tiles, class Fraction, class Flux, class Gather>
+    auto gather_beside_solids(const Tiles& t, const Fraction& fraction, const Vec3<Flux>& w,
+                              const Gather& gather) const;
 
     template <class Tiles>
     VESICA_INLINE Vec3<typename Tiles::V> outward_gradient(const Tiles& t) const {
@@ -345,6 +372,19 @@ private:
         halo_.finish(arrays, threads);
     }
 
+    /// Beside solids, after arrays have been shared: what a layer of solid cells stands for.
+    void extend_into_solids(std::initializer_list<std::span<Real>> arrays, int level, double slope,
+                            int threads) {
+        if (!near_solids_)
+            return;
+        margin_.fill(arrays, level, slope, threads);
+        if (!neighbourhood_->block().is_whole())
+            halo_.start(arrays, threads);
+        copy_ghosts(arrays, threads);
+        if (!neighbourhood_->block().is_whole())
+            halo_.finish(arrays, threads);
+    }
+
     /// Those that stand for cells of this block.
     void copy_ghosts(std::initializer_list<std::span<Real>> arrays, int threads) {
         const std::vector<Band::GhostCopy>& copies = band_.ghost_copies();
@@ -360,9 +400,12 @@ private:
 
     std::shared_ptr<const Neighbourhood> neighbourhood_;
     LayerSettings settings_;
+    const SolidCells* solids_ = nullptr;
     LayerForce spread_force_;
     Band band_;
     BandHalo<Real> halo_;
+    SolidMargin<Real> margin_;
+    bool near_solids_ = false; ///< on any rank
     LayerFields<Real> fields_;
     Field<Real> force_;
     std::vector<std::uint8_t>

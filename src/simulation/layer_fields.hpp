@@ -87,4 +87,23 @@ struct MinorityAround {
     }
 };
 
+/// Values around, but a cell's own where the neighbour is solid: colours that a wall turns back were the
+/// cell's.
+template <class Real, int width, class Inner>
+struct Reflected {
+    using V = Pack<Real, width>;
+
+    Inner inner;
+    V own;
+    const typename V::Mask* solid; ///< per direction
+
+    template <int i>
+    VESICA_INLINE V operator()(Direction<i> direction) const {
+        if constexpr (i == 0)
+            return own;
+        else
+            return select<Real>(solid[i], own, inner(direction));
+    }
+};
+
 } // namespace vesica

@@ -11,6 +11,7 @@ void Layer<Real>::normals(int threads) {
             using V = typename Tiles::V;
             t.store(sharpened<V>(around(fields_.s, t), 1.0), fields_.sharp); // normals differentiate it
         });
+        extend_into_solids({fields_.sharp}, reach::receiving, 1.0, threads);
     }
     const auto direct = [&]<class Tiles>(const Tiles& t) {
         using V = typename Tiles::V;
@@ -22,6 +23,7 @@ void Layer<Real>::normals(int threads) {
     };
     share(reach::colour, threads,
           {fields_.n[0], fields_.n[1], fields_.n[2], fields_.w[0], fields_.w[1], fields_.w[2]}, direct);
+    extend_into_solids({fields_.n[0], fields_.n[1], fields_.n[2]}, reach::colour, 0.0, threads);
 }
 
 template <class Real>
@@ -46,6 +48,7 @@ void Layer<Real>::curvatures(int threads) {
         square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
     };
     share(reach::raw_curvature, threads, {fields_.raw_H0}, bend);
+    extend_into_solids({fields_.raw_H0}, reach::raw_curvature, 0.0, threads);
     set_integrals(merged(gaussian), merged(square));
     if (!mapped())
         return;
@@ -55,6 +58,7 @@ void Layer<Real>::curvatures(int threads) {
         t.store(sharpened<V>(H, 1.0), fields_.H0);    // the derivative that made H of n
         t.store(sharpened<V>(H, 3.0), fields_.sharp); // and the two that make Lap_s H of H
     });
+    extend_into_solids({fields_.sharp}, reach::curvature, 0.0, threads);
 }
 
 template <class Real>
@@ -72,6 +76,7 @@ void Layer<Real>::slopes(int threads) {
         t.store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, J), fields_.g);
     };
     share(reach::slope, threads, {fields_.g[0], fields_.g[1], fields_.g[2]}, slope);
+    extend_into_solids({fields_.g[0], fields_.g[1], fields_.g[2]}, reach::slope, 0.0, threads);
 }
 
 } // namespace vesica

@@ -61,6 +61,10 @@ void Layer<Real>::lay_out(const std::vector<Band::Seed>& core) {
     band_.rebuild(core, halo_.exchange_seeds(core, band_.grid()));
     halo_.follow(band_);
     empty_ = !ranks().any(!core.empty());
+    if (solids_ != nullptr) {
+        margin_.follow(band_);
+        near_solids_ = ranks().any(!margin_.empty());
+    }
     for (const BandTile& t : band_.tiles())
         colour_slots_[at(t.tile)] = t.slot();
     fields_.resize(band_.compact_size());

@@ -52,10 +52,18 @@ VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, co
     const V density = density_of(g);
     const V before = t.load(fields_.chi);
     const auto blue_was_minor = sign_bit(before);
-    const ColourDensities<V> arrived = gather_colours(
-        g, V(settings_.reference_density), density, blue_was_minor,
-        MinorityAround<Real, V::width>{blue_was_minor, around(fields_.red, t), around(fields_.blue, t)},
-        around(fields_.w, t));
+    const MinorityAround<Real, V::width> fraction{blue_was_minor, around(fields_.red, t),
+                                                  around(fields_.blue, t)};
+    const auto w = around(fields_.w, t);
+    const auto gather = [&](const auto& fraction_around, const auto& w_around) VESICA_INLINE_LAMBDA {
+        return gather_colours(g, V(settings_.reference_density), density, blue_was_minor, fraction_around,
+                              w_around);
+    };
+    ColourDensities<V> arrived;
+    if (solids_ == nullptr || !t.beside_solid()) [[likely]]
+        arrived = gather(fraction, w);
+    else
+        arrived = gather_beside_solids(t, fraction, w, gather);
     const auto blue_is_minor = arrived.blue < arrived.red;
     const V minority = smaller(arrived.red, arrived.blue);
     const V kept = larger(minority, V(0));
@@ -70,6 +78,22 @@ VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, co
     sums.layer.add(select<Real>(holds_both, layer_density(chi), V(0)));
     t.store(select<Real>(received, chi, before), fields_.chi);
     t.store(density, fields_.density);
+}
+
+/// From a wall a cell's own colours return, and what its separation sent there with the opposite sign.
+template <class Real>
+template <class Tiles, class Fraction, class Flux, class Gather>
+auto Layer<Real>::gather_beside_solids(const Tiles& t, const Fraction& fraction, const Vec3<Flux>& w,
+                                       const Gather& gather) const {
+    using V = typename Tiles::V;
+    typename V::Mask solid[direction_count] = {};
+    for (int i = 1; i < direction_count; ++i)
+        solid[i] = V::mask(solids_->beside_tiles(t.cell() / tile_width, Tiles::count, i));
+    const Vec3<V> own = t.load(fields_.w);
+    using OwnFraction = Reflected<Real, V::width, Fraction>;
+    using OwnFlux = Reflected<Real, V::width, Flux>;
+    return gather(OwnFraction{fraction, fraction(Direction<0>{}), solid},
+                  Vec3<OwnFlux>{{w.x, -own.x, solid}, {w.y, -own.y, solid}, {w.z, -own.z, solid}});
 }
 
 template <class Real>

@@ -60,12 +60,17 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
     for (std::size_t vesicle = 0; vesicle < parameters.vesicles.size(); ++vesicle) {
         shapes.push_back(shape_of(what, vesicle));
         plan.vesicles.push_back(plan_vesicle(parameters, vesicle, *shapes.back()));
-        plan.expected_speed = std::max(plan.expected_speed, plan.vesicles.back().bending_speed.value_or(0.0));
+        const VesiclePlan& own = plan.vesicles.back();
+        plan.expected_speed =
+            std::max({plan.expected_speed, own.bending_speed.value_or(0.0), own.buoyant_speed});
     }
+    plan.flow = plan_flow(parameters);
+    plan.expected_speed = std::max(plan.expected_speed, plan.flow.speed);
     constexpr double speed_of_sound = 0.57735026918962576; // 1/sqrt(3)
     plan.mach = plan.expected_speed / speed_of_sound;
 
     judge_fluid(parameters, plan, plan.remarks);
+    judge_flow(parameters, plan, what.run, plan.remarks);
     judge_memory(parameters, static_cast<double>(plan.cells), plan.remarks);
     for (std::size_t vesicle = 0; vesicle < parameters.vesicles.size(); ++vesicle)
         judge_vesicle(parameters, vesicle, plan.vesicles[vesicle], what.run, options, plan.remarks);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "simulation/plan_flow.hpp"
 #include "simulation/plan_remarks.hpp"
 #include "simulation/plan_vesicle.hpp"
 
@@ -21,8 +22,9 @@ struct Plan {
     std::int64_t cells = 0;
     double relaxation_time = 1.0; ///< of the outer fluid: 3 nu + 1/2
     double interface_width = 0.0; ///< 2/beta, cells
-    double expected_speed = 0.0;  ///< the fastest of the vesicles' own, cells per step
-    double mach = 0.0;            ///< expected_speed over the speed of sound
+    FlowPlan flow;
+    double expected_speed = 0.0; ///< the fastest of the flow and of the vesicles' own, cells per step
+    double mach = 0.0;           ///< expected_speed over the speed of sound
     std::vector<VesiclePlan> vesicles;
     Remarks remarks; ///< each begins with its place in the case file
 };

@@ -69,7 +69,7 @@ SmallBox measure_small(Parameters parameters, int edge, int threads, const Engin
     parameters.vesicles = {sphere};
     const auto engine = factory(parameters, threads);
     SmallBox box;
-    box.cells = cells_of(parameters.size);
+    box.cells = cells_of(parameters.lattice());
     box.seconds = seconds_per_step(*engine);
     box.layer = box.cells * engine->interface_fraction();
     box.bytes = static_cast<double>(engine->bytes_allocated());
@@ -79,7 +79,7 @@ SmallBox measure_small(Parameters parameters, int edge, int threads, const Engin
 RunCost cost_from_small_boxes(const Parameters& parameters, int threads, const EngineFactory& factory) {
     const SmallBox small = measure_small(parameters, 36, threads, factory);
     const SmallBox large = measure_small(parameters, 72, threads, factory);
-    const double cells = cells_of(parameters.size);
+    const double cells = cells_of(parameters.lattice());
     const double small_area = 4.0 * std::numbers::pi * small_radius * small_radius;
     const double layers = total_area(parameters) / small_area; // in layers of the small sphere
     // Both boxes hold the same layer, so that their difference is the cost of plain cells.
@@ -141,7 +141,7 @@ double output_bytes(const Parameters& parameters, const RunParameters& run, cons
         bytes += outputs * components * number * cells_of(region) / std::pow(fields.stride, 3);
     }
     // Populations and colour in the run's precision, and the band.
-    const double checkpoint = cells_of(parameters.size) * (20.0 * number + 1.0);
+    const double checkpoint = cells_of(parameters.lattice()) * (20.0 * number + 1.0);
     if (output.checkpoint_every > 0) {
         const double written =
             std::ceil(static_cast<double>(run.steps) / static_cast<double>(output.checkpoint_every));

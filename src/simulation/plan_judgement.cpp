@@ -165,11 +165,80 @@ void judge_fluid(const Parameters& parameters, const Plan& plan, Remarks& remark
             " is {:g}, a relaxation time of {:.3f}; expected at most 3.5, above which the "
             "lattice's own errors grow; try 0.5",
             parameters.fluid.kinematic_viscosity, plan.relaxation_time);
-    if (plan.mach > 0.1)
+    constexpr double speed_of_sound = 0.57735026918962576; // 1/sqrt(3)
+    double own = 0.0;
+    for (const VesiclePlan& vesicle : plan.vesicles)
+        own = std::max(own, vesicle.bending_speed.value_or(0.0));
+    if (own > 0.1 * speed_of_sound)
         add(remarks, Severity::warning, "fluid",
             ": the fastest vesicle moves its membrane at about Mach {:.2f}; expected at most 0.1; try a "
             "smaller bending.modulus or a larger kinematic_viscosity",
-            plan.mach);
+            own / speed_of_sound);
+}
+
+void judge_flow(const Parameters& parameters, const Plan& plan, const RunParameters& run, Remarks& remarks) {
+    const FlowParameters& flow = parameters.flow;
+    constexpr double fastest = 0.057735026918962576; // Mach 0.1
+    const std::string key = flow.shear        ? "flow.shear.rate"
+                            : flow.extension  ? "flow.extension.rate"
+                            : flow.poiseuille ? flow.poiseuille->mean_velocity
+                                                    ? "flow.poiseuille.mean_velocity"
+                                                    : "flow.poiseuille.pressure_gradient"
+                                              : "boundary";
+    const double strength = flow.shear       ? flow.shear->rate
+                            : flow.extension ? flow.extension->rate
+                            : flow.poiseuille
+                                ? flow.poiseuille->mean_velocity.value_or(flow.poiseuille->pressure_gradient)
+                                : plan.flow.speed;
+    if (plan.flow.speed > fastest)
+        add(remarks, Severity::error, key,
+            " is {:.4g}, which makes speeds of {:.3g} cells per step, Mach {:.2f}; expected at most Mach "
+            "0.1, above "
+            "which the fluid is compressed; try {:.2g}, or a smaller box",
+            strength, plan.flow.speed, plan.flow.speed / (10.0 * fastest),
+            strength * 0.9 * fastest / plan.flow.speed);
+    for (std::size_t index = 0; index < plan.vesicles.size(); ++index) {
+        const VesicleType& type = parameters.types[parameters.vesicles[index].type];
+        const double radius = plan.vesicles[index].radius;
+        if (plan.vesicles[index].buoyant_speed > fastest)
+            add(remarks, Severity::error, "vesicle_type." + type.name + ".buoyancy",
+                " moves vesicle[{}] at up to {:.3g} cells per step, Mach {:.2f}; expected at most Mach 0.1; "
+                "try {:.2g} "
+                "of it",
+                index, plan.vesicles[index].buoyant_speed,
+                plan.vesicles[index].buoyant_speed / (10.0 * fastest),
+                fastest / plan.vesicles[index].buoyant_speed);
+        if (!plan.flow.rate || *plan.flow.rate <= 0.0)
+            continue;
+        const double reynolds = flow_groups(parameters, *plan.flow.rate, radius, type).reynolds;
+        if (reynolds > 0.1 * (1.0 + 1e-9))
+            add(remarks, Severity::warning, key,
+                " is {:.4g}: vesicle[{}] has Re = rho gamma R0^2/eta = {:.2g}; expected at most 0.1, as in "
+                "small "
+                "vessels; raise kinematic_viscosity to {:.2g} or lower it to {:.2g}",
+                strength, index, reynolds, parameters.fluid.kinematic_viscosity * reynolds / 0.1,
+                strength * 0.1 / reynolds);
+    }
+    const auto judge_times = [&](const std::string& table, const FlowTimes& times) {
+        if (run.steps > 0 && times.start >= run.steps)
+            add(remarks, Severity::warning, table + ".start",
+                " is {}: the run ends before, after {} steps; expected less; try start = 0", times.start,
+                run.steps);
+    };
+    if (flow.shear)
+        judge_times("flow.shear", flow.shear->times);
+    if (flow.poiseuille)
+        judge_times("flow.poiseuille", flow.poiseuille->times);
+    if (flow.extension)
+        judge_times("flow.extension", flow.extension->times);
+    if (flow.body_force) {
+        judge_times("flow.body_force", flow.body_force->times);
+        if (!parameters.is_bounded())
+            add(remarks, Severity::warning, "flow.body_force",
+                " pushes a fluid that nothing holds: it grows faster for ever; expected walls; try "
+                "[boundary.z] with "
+                "lower and upper = {{ type = \"wall\" }}");
+    }
 }
 
 void judge_vesicle(const Parameters& parameters, std::size_t vesicle, const VesiclePlan& plan,

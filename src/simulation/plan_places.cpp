@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vesica {
 
@@ -28,6 +29,44 @@ void judge_gap(const std::string& key, const std::string& who, const char* remed
              fmt::format("{} are {:.1f} cells apart, so that their interfaces overlap; expected at least "
                          "2/beta + 2 = {:.1f}; try {}",
                          who, gap, width + 2.0, remedy)});
+}
+
+/// From the nearest point of the surface to a plane across an axis, on whose far side the solid begins;
+/// negative if it lies beyond. Looked for on the plane, cell by cell.
+double gap_to_plane(const Shape& shape, const Vec3<double>& centre, int axis, double place) {
+    const double reach = shape.bounding_radius();
+    const double away = place - centre[axis];
+    if (std::abs(away) > reach + 20.0)
+        return std::abs(away) - reach;
+    const int first = (axis + 1) % 3;
+    const int second = (axis + 2) % 3;
+    double gap = std::numeric_limits<double>::infinity();
+    for (double u = -reach; u <= reach; u += 1.0)
+        for (double v = -reach; v <= reach; v += 1.0) {
+            Vec3<double> point = centre;
+            point[axis] = place;
+            point[first] += u;
+            point[second] += v;
+            gap = std::min(gap, shape.signed_distance(point));
+        }
+    return gap;
+}
+
+void judge_ends(const Parameters& parameters, std::size_t vesicle, const Shape& shape, double width,
+                Remarks& remarks) {
+    const Vec3<double>& centre = parameters.vesicles[vesicle].centre;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!parameters.is_bounded(axis))
+            continue;
+        for (const bool upper : {false, true}) {
+            const double place = upper ? parameters.size[axis] : 0.0;
+            const std::string key = fmt::format("vesicle[{}].centre", vesicle);
+            const std::string who =
+                fmt::format("vesicle[{}] and the box's end at {} = {:g}", vesicle, "xyz"[axis], place);
+            judge_gap(key, who, "another centre or a larger box", gap_to_plane(shape, centre, axis, place),
+                      width, remarks);
+        }
+    }
 }
 
 } // namespace
@@ -56,6 +95,9 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
                     for (int i = -1; i <= 1; ++i) {
                         if (a == b && (k * 3 + j) * 3 + i <= 0)
                             continue;
+                        if ((i != 0 && parameters.is_bounded(0)) || (j != 0 && parameters.is_bounded(1)) ||
+                            (k != 0 && parameters.is_bounded(2)))
+                            continue;
                         const Vec3<double> shift{1.0 * i * parameters.size.x, 1.0 * j * parameters.size.y,
                                                  1.0 * k * parameters.size.z};
                         smallest = std::min(smallest, gap(a, b, shift));
@@ -71,6 +113,8 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
                           remarks);
         }
     }
+    for (std::size_t a = 0; a < shapes.size(); ++a)
+        judge_ends(parameters, a, *shapes[a], width, remarks);
     for (std::size_t a = 0; a < shapes.size(); ++a) {
         const VesiclePlan& vesicle = plan.vesicles[a];
         const double widest = 2.0 * 1.24 * std::sqrt(vesicle.target_area / (4.0 * 3.14159265358979));

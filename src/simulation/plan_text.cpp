@@ -113,7 +113,14 @@ void describe_fluid(const Case& what, const Plan& plan, SideBySide& table) {
     table.text("collision", name_of(fluid.ghosts));
     table.text("precision", name_of(parameters.numerics.precision));
     table.value("interface width 2/beta", plan.interface_width, dimension::length);
-    table.value("Mach number, from bending", plan.mach, dimension::none);
+    table.value("fastest speed expected", plan.expected_speed, dimension::velocity);
+    table.value("Mach number", plan.mach, dimension::none);
+    if (plan.flow.rate)
+        table.value(parameters.flow.shear ? "shear rate gamma" : "shear rate gamma, at the channel's walls",
+                    *plan.flow.rate, dimension::rate);
+    if (parameters.flow.poiseuille)
+        table.value("pressure gradient", parameters.flow.poiseuille->pressure_gradient,
+                    dimension::force_density);
     if (what.inertia) {
         table.value("Reynolds number on the lattice", what.inertia->reynolds, dimension::none);
         table.value("Reynolds number in reality", what.inertia->true_reynolds, dimension::none);
@@ -152,9 +159,18 @@ void describe_vesicle(const Case& what, const Plan& plan, std::size_t index, Sid
                     dimension::none);
     table.value("bending speed kappa/(eta R0^2)", vesicle.bending_speed, dimension::velocity, stiff);
     table.value("Re, with the bending speed", vesicle.reynolds, dimension::none, stiff);
-    table.text("Ca_kappa = eta gamma R0^3/kappa", "n/a (no flow)");
     table.value("Ca_sigma, with the bending speed", vesicle.bending_over_tension, dimension::none,
                 vesicle.bending_time ? tense : stiff);
+    if (plan.flow.rate) {
+        const FlowGroups groups = flow_groups(what.parameters, *plan.flow.rate, vesicle.radius, type);
+        table.value("Re = rho gamma R0^2/eta", groups.reynolds, dimension::none);
+        table.value("Ca_kappa = eta gamma R0^3/kappa", groups.capillary_bending, dimension::none, stiff);
+        table.value("Ca_sigma = eta gamma R0/sigma", groups.capillary_tension, dimension::none, tense);
+    } else {
+        table.text("Ca_kappa = eta gamma R0^3/kappa", "n/a (no flow)");
+    }
+    if (vesicle.buoyant_speed > 0.0)
+        table.value("buoyant speed (2/9) b R0^2/eta", vesicle.buoyant_speed, dimension::velocity);
     table.value("capillary time eta R0/sigma", vesicle.capillary_time, dimension::time, tense);
 }
 
@@ -214,7 +230,8 @@ std::string plan_text(const Case& what, const Plan& plan, const std::optional<Ru
 
 std::string model_text() {
     return "In the model\n"
-           "  two viscous fluids of equal density, separated by a diffuse interface (colour-gradient "
+           "  two viscous fluids of equal density, but for the inner one's buoyancy, separated by a diffuse "
+           "interface (colour-gradient "
            "lattice\n"
            "  Boltzmann, D3Q19); a membrane with bending elasticity, spontaneous curvature, tension and a\n"
            "  constraint on its total area\n"
@@ -229,7 +246,9 @@ std::string model_text() {
            "  local inextensibility        the whole area is kept, not that of every patch\n"
            "\n"
            "Not in this version\n"
-           "  flow, walls, obstacles, suspensions, tracers: vesicles rest in a periodic box\n";
+           "  inlets, outlets, obstacles, extensional flow, suspensions, tracers: one vesicle in a periodic "
+           "box\n"
+           "  or between walls\n";
 }
 
 } // namespace vesica

@@ -24,6 +24,7 @@ struct VesiclePlan {
     double inner_relaxation_time = 1.0;
     double confinement = 0.0;     ///< 2 R0 over the shortest edge of the box
     double penalty_modulus = 0.0; ///< K_A, 0 without a penalty
+    double buoyant_speed = 0.0;   ///< of a hard sphere, (2/9) b R0^2/eta
 
     // With bending only.
     std::optional<double> bending_time;  ///< tau_b = eta R0^3/kappa, steps

@@ -239,7 +239,7 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
     if (options.crew != nullptr) // a box that cannot be cut is refused before anything is written
-        layout_for(what.parameters.size, options.crew->ranks().count(), options.blocks);
+        layout_for(what.parameters.lattice(), options.crew->ranks().count(), options.blocks);
     Colleagues nobody;
     Colleagues& colleagues = options.crew != nullptr ? *options.crew : nobody;
     std::optional<StartState> start;
@@ -259,7 +259,7 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     const auto engine =
         build_engine(what, options, threads, start ? std::optional(start->path) : std::nullopt);
     if (start) {
-        load_state(*engine, options, start->path, start->change, what.parameters.size);
+        load_state(*engine, options, start->path, start->change, what.parameters.lattice());
         session.log().information(
             fmt::format("starts from step {} of {}", start->step, start->path.string()));
     }
@@ -293,7 +293,7 @@ RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions
                                           found.path.filename().string()));
     const auto engine = build_engine(what, options, threads, found.path);
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
-    load_state(*engine, options, found.path, {}, what.parameters.size);
+    load_state(*engine, options, found.path, {}, what.parameters.lattice());
     metrics.restore(found.checkpoint.notes);
     return session.run(*engine, metrics, &found.checkpoint);
 }

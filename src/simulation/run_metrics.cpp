@@ -1,6 +1,7 @@
 #include "simulation/run_metrics.hpp"
 
 #include "core/input_error.hpp"
+#include "measure/diameter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +26,56 @@ const std::vector<double>& note(const RunMetrics::Notes& notes, const std::strin
     return found->second;
 }
 
+/// The plane whose deformation, inclination and stress are measured. A shear whose velocity falls along the
+/// gradient flows the other way.
+std::optional<ShearPlane> shear_plane(const Parameters& parameters) {
+    const auto along = [](int axis, double length) {
+        Vec3<double> unit{};
+        unit[axis] = length;
+        return unit;
+    };
+    const FlowParameters& flow = parameters.flow;
+    if (flow.shear)
+        return ShearPlane{along(flow.shear->velocity, flow.shear->rate < 0.0 ? -1.0 : 1.0),
+                          along(flow.shear->gradient, 1.0)};
+    if (flow.extension)
+        return ShearPlane{along(flow.extension->stretch, 1.0), along(flow.extension->squeeze, 1.0)};
+    if (!flow.poiseuille)
+        return std::nullopt;
+    const int next = (flow.poiseuille->velocity + 1) % 3;
+    const int last = (flow.poiseuille->velocity + 2) % 3;
+    return ShearPlane{along(flow.poiseuille->velocity, flow.poiseuille->pressure_gradient < 0.0 ? -1.0 : 1.0),
+                      along(parameters.has_walls(last) ? last : next, 1.0)};
+}
+
+/// When the first flow begins; 0 without one.
+std::int64_t flow_start(const FlowParameters& flow) {
+    std::int64_t start = FlowTimes::never;
+    const auto earlier = [&](const auto& driven) {
+        if (driven)
+            start = std::min(start, driven->times.start);
+    };
+    earlier(flow.shear);
+    earlier(flow.poiseuille);
+    earlier(flow.body_force);
+    earlier(flow.extension);
+    return start == FlowTimes::never ? 0 : start;
+}
+
 } // namespace
 
 RunMetrics::RunMetrics(const Parameters& parameters, const RunParameters& run, std::int64_t every,
                        const Snapshot& initial)
-    : every_(every), ramp_end_(end_of_ramps(parameters)), criterion_(run.stop_when_steady) {
-    const Vec3<double> period{1.0 * parameters.size.x, 1.0 * parameters.size.y, 1.0 * parameters.size.z};
+    : every_(every),
+      ramp_end_(end_of_ramps(parameters)),
+      flow_start_(flow_start(parameters.flow)),
+      criterion_(run.stop_when_steady) {
+    Vec3<double> period{};
+    for (int a = 0; a < 3; ++a)
+        period[a] = parameters.is_bounded(a) ? 0.0 : parameters.size[a];
     for (const VesicleSnapshot& vesicle : initial.vesicles) {
-        baselines_.push_back(baseline_of(vesicle, static_cast<int>(baselines_.size())));
+        baselines_.push_back(
+            baseline_of(vesicle, static_cast<int>(baselines_.size()), shear_plane(parameters)));
         trackers_.emplace_back(period);
     }
 }
@@ -40,6 +83,8 @@ RunMetrics::RunMetrics(const Parameters& parameters, const RunParameters& run, s
 const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot) {
     last_.clear();
     for (std::size_t vesicle = 0; vesicle < snapshot.vesicles.size(); ++vesicle) {
+        if (snapshot.step <= flow_start_) // elongation is against the shape the flow finds
+            baselines_[vesicle].diameter = largest_diameter(snapshot.vesicles[vesicle]);
         MetricsRow row = measure(snapshot.vesicles[vesicle], snapshot, baselines_[vesicle]);
         const Vec3<double> centre = trackers_[vesicle].follow({row.x, row.y, row.z});
         row.x = centre.x;

@@ -47,6 +47,7 @@ private:
 
     std::int64_t every_;
     std::int64_t ramp_end_ = 0;
+    std::int64_t flow_start_ = 0; ///< 0 without a flow
     std::optional<SteadyCriterion> criterion_;
     std::vector<MetricsBaseline> baselines_;
     std::vector<CentreTracker> trackers_;

@@ -29,6 +29,12 @@ struct TileRun {
             bits |= std::uint32_t{tiles[k].bits[level]} << (k * tile_width);
         return bits;
     }
+    VESICA_INLINE bool beside_solid() const {
+        bool beside = tiles->beside_solid;
+        for (int k = 1; k < count; ++k)
+            beside = beside || tiles[k].beside_solid;
+        return beside;
+    }
     VESICA_INLINE typename V::Mask cells_of(int level) const { return V::mask(bits(level)); }
 
     VESICA_INLINE V load(const std::span<Real>& a) const { return V::load(a.data() + slot()); }

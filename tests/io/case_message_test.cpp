@@ -137,9 +137,8 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
          "relaxation_time, dynamic_viscosity, density, segregation or collision; try "
          "fluid.kinematic_viscosity"},
         {"[lattice]", "[latice]",
-         "case.toml:3:2: latice is not a known key; expected title, lattice, fluid, vesicle, initial, "
-         "numerics, run, "
-         "output, units or vesicle_type; try lattice"},
+         "case.toml:3:2: latice is not a known key; expected title, lattice, fluid, "
+         "boundary, flow, vesicle, initial, numerics, run, output, units or vesicle_type; try lattice"},
         {"radius = 15", "rad = 15",
          "case.toml:32:1: vesicle[0].rad is not a known key; expected type, shape, aspect, reduced_volume, "
          "file, centre, radius, axis or perturbation; try vesicle[0].radius"},
@@ -147,11 +146,11 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
          "case.toml:32:1: vesicle[0].viscosity_ratio is not a known key; expected type, shape, aspect, "
          "reduced_volume, file, centre, radius, axis or perturbation; try vesicle_type.NAME.viscosity_ratio"},
         {"[vesicle_type.rbc.bending]", "[vesicle_type.rbc.bendin]",
-         "case.toml:17:19: vesicle_type.rbc.bendin is not a known key; expected viscosity_ratio, bending, "
-         "area or tension; try vesicle_type.rbc.bending"},
+         "case.toml:17:19: vesicle_type.rbc.bendin is not a known key; expected viscosity_ratio, buoyancy, "
+         "bending, area or tension; try vesicle_type.rbc.bending"},
         {"viscosity_ratio = 1.0", "modulus = 1.0",
-         "case.toml:16:1: vesicle_type.rbc.modulus is not a known key; expected viscosity_ratio, bending, "
-         "area or tension; try vesicle_type.rbc.bending.modulus"},
+         "case.toml:16:1: vesicle_type.rbc.modulus is not a known key; expected viscosity_ratio, buoyancy, "
+         "bending, area or tension; try vesicle_type.rbc.bending.modulus"},
         {"[numerics]", "[numerics]\nevery = 3",
          "case.toml:40:1: numerics.every is not a known key; expected geometry, cutoff, precision or device; "
          "try output.metrics.every"},
@@ -165,21 +164,15 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
 
 TEST_CASE("what is not available yet is refused and says so") {
     check_messages({
-        {"[numerics]", "[flow.shear]\nrate = 5e-4\n[numerics]",
-         "case.toml:39:2: flow is not available yet (shear, Poiseuille and extensional flow); expected a "
-         "fluid at rest in a periodic box with one vesicle; try removing it"},
-        {"[numerics]", "[boundary.z]\nlower = { type = \"wall\" }\n[numerics]",
-         "case.toml:39:2: boundary is not available yet (walls, inlets and outlets); expected a fluid at "
-         "rest in a periodic box with one vesicle; try removing it"},
         {"[numerics]", "[obstacles]\n[numerics]",
-         "case.toml:39:2: obstacles is not available yet (solids from a file); expected a fluid at rest in a "
-         "periodic box with one vesicle; try removing it"},
+         "case.toml:39:2: obstacles is not available yet (solids from a file); expected one vesicle in a "
+         "periodic box or between walls; try removing it"},
         {"[numerics]", "[suspension]\n[numerics]",
-         "case.toml:39:2: suspension is not available yet (many vesicles); expected a fluid at rest in a "
-         "periodic box with one vesicle; try removing it"},
+         "case.toml:39:2: suspension is not available yet (many vesicles); expected one vesicle in a "
+         "periodic box or between walls; try removing it"},
         {"[numerics]", "[tracers]\n[numerics]",
-         "case.toml:39:2: tracers is not available yet (passive points); expected a fluid at rest in a "
-         "periodic box with one vesicle; try removing it"},
+         "case.toml:39:2: tracers is not available yet (passive points); expected one vesicle in a "
+         "periodic box or between walls; try removing it"},
         {"device = \"cpu\"", "device = \"cuda\"",
          "case.toml:43:10: numerics.device is \"cuda\"; that is not available yet; expected \"cpu\" or "
          "\"auto\"; try device = \"cpu\""},

@@ -40,6 +40,18 @@ TEST_CASE("reading the resolved case gives the same case, bit for bit") {
              {"vesicle[0].shape=evans-fung"},
              {"vesicle[0].perturbation=[{ l = [2, 9], amplitude = 0.1, seed = 9007199254740993 }]"},
              {"title=\"quotes \\\" and \\\\ and \\n and µ\""},
+             {"flow.shear={ rate = -1e-4, velocity = \"z\", gradient = \"y\", start = 100, stop = 9000, ramp "
+              "= 7 }",
+              "boundary.wetting=0.001"},
+             {"boundary.y={ lower = { type = \"wall\", velocity = [0.01, 0, 0] }, upper = { type = \"wall\" "
+              "} }",
+              "flow.poiseuille={ mean_velocity = 0.0123, velocity = \"z\", ramp = 50 }",
+              "flow.body_force={ force = [1e-7, 0, 2e-7] }", "vesicle_type.rbc.buoyancy=[0, 1e-6, 0]"},
+             {"boundary.x={ lower = { type = \"outlet\", pressure = 0.001 }, upper = { type = \"inlet\", "
+              "velocity = [-0.01, "
+              "0, 0], profile = \"parabolic\", ramp = 30 } }",
+              "boundary.z={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }"},
+             {"flow.extension={ rate = 1e-4, stretch = \"y\", squeeze = \"x\", stop = 1000 }"},
              {"numerics.geometry=paper", "numerics.precision=single", "numerics.cutoff=0.1"},
              {"output.fields.every=0", "output.surfaces.every=0", "output.checkpoint.every=0"},
          }) {

@@ -57,7 +57,11 @@ TEST_CASE("a row of the metrics has the promised columns in the promised order",
                                                "tension",
                                                "max_speed",
                                                "mass_drift",
-                                               "gap"};
+                                               "gap",
+                                               "tank_treading_frequency",
+                                               "particle_stress",
+                                               "effective_viscosity",
+                                               "wall_stress"};
     CHECK(metrics_columns() == promised);
     const Snapshot snapshot = one_vesicle();
     const MetricsRow row = measure(snapshot.vesicles[0], snapshot, baseline_of(snapshot.vesicles[0], 0));

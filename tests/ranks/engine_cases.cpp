@@ -260,3 +260,41 @@ TEST_CASE("one fluid has no band to tell of") {
     CHECK(engines.shared->traffic().band_messages == 0);
     CHECK(engines.shared->traffic().population_messages > 0);
 }
+
+TEST_CASE("a vesicle that is sheared along a wall it sinks to has the same bits on any ranks") {
+    const Precision precision = GENERATE(Precision::double_precision, Precision::single_precision);
+    Parameters parameters = deforming_spheroid();
+    parameters.numerics.precision = precision;
+    parameters.size = {40, 42, 39};
+    parameters.ends[1] = WallEnds{};
+    parameters.flow.shear = ShearFlow{1e-3, 2, 1, {5, 60, 10}};
+    parameters.flow.body_force = BodyForce{{1e-6, 0.0, 2e-6}, {}};
+    parameters.types.front().buoyancy = {0.0, -3e-4, 0.0};
+    parameters.types.front().viscosity_ratio = 2.0;
+    parameters.vesicles.front().centre = {39.0, 11.0, 1.0};
+    const BlockLayout layout = layout_of(parameters.lattice());
+    const Both engines(parameters, layout, 2);
+    REQUIRE(engines.agree());
+    engines.run(80);
+    CHECK(engines.agree());
+    const Snapshot together = engines.shared->snapshot();
+    const DenseField velocity = engines.shared->field("velocity");
+    CHECK_FALSE(engines.shared->trouble());
+    if (!engines.ranks.leads())
+        return;
+    const Snapshot one = engines.alone->snapshot();
+    CHECK(same_snapshots(together, one));
+    CHECK(together.wall_force == one.wall_force);
+    CHECK(velocity.size == parameters.size);
+    CHECK(velocity.values == engines.alone->field("velocity").values);
+}
+
+TEST_CASE("fluid that comes in at one end and leaves at the other has the same bits on any ranks") {
+    Parameters parameters;
+    parameters.size = {40, 30, 33};
+    parameters.ends[0] = OpenEnds{true, 0.02, true, 0.0, {0, FlowTimes::never, 20}};
+    parameters.ends[2] = WallEnds{};
+    const Both engines(parameters, layout_of(parameters.lattice()), 1);
+    engines.run(120);
+    CHECK(engines.agree());
+}

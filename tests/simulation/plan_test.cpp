@@ -212,3 +212,53 @@ TEST_CASE("what is not in the model is said") {
          {"thermal noise", "area-difference elasticity", "adhesion", "osmosis", "shear elasticity"})
         CHECK(says(model_text(), missing));
 }
+
+TEST_CASE("groups of a flow are those of their definitions, and too much of it is refused") {
+    const Plan plan = make_plan(discocyte({"flow.shear={ rate = 5e-5 }"}));
+    REQUIRE(plan.flow.rate.has_value());
+    CHECK(*plan.flow.rate == Approx(5e-5));
+    CHECK(plan.flow.speed == Approx(5e-5 * 32.0));
+    const Case what = discocyte({"flow.shear={ rate = 5e-5 }"});
+    const FlowGroups groups =
+        flow_groups(what.parameters, *plan.flow.rate, 15.0, what.parameters.types.front());
+    CHECK(groups.reynolds == Approx(5e-5 * 225.0 / 0.1666667).epsilon(1e-6));
+    CHECK(*groups.capillary_bending == Approx(0.1666667 * 5e-5 * 3375.0 / 0.25).epsilon(1e-6));
+    CHECK(*groups.capillary_tension == Approx(0.1666667 * 5e-5 * 15.0 / 1e-5).epsilon(1e-6));
+    CHECK(all(plan, Severity::error).empty());
+    CHECK(all(plan, Severity::warning).empty());
+
+    const std::string fast = all(make_plan(discocyte({"flow.shear={ rate = 4e-3 }"})), Severity::error);
+    CHECK(says(
+        fast,
+        "flow.shear.rate is 0.004, which makes speeds of 0.128 cells per step, Mach 0.22; expected at most "
+        "Mach 0.1"));
+    const std::string inert = all(make_plan(discocyte({"flow.shear={ rate = 6e-4 }"})), Severity::warning);
+    CHECK(says(inert, "Re = rho gamma R0^2/eta = 0.81; expected at most 0.1"));
+    CHECK(says(inert, "raise kinematic_viscosity to 1.3 or lower it to 7.4e-05"));
+    const std::string late =
+        all(make_plan(discocyte({"flow.shear={ rate = 5e-5, start = 50000 }"})), Severity::warning);
+    CHECK(says(late, "flow.shear.start is 50000: the run ends before"));
+    const std::string heavy =
+        all(make_plan(discocyte({"vesicle_type.rbc.buoyancy=[0, 0, 1e-2]"})), Severity::error);
+    CHECK(says(heavy, "vesicle_type.rbc.buoyancy moves vesicle[0]"));
+}
+
+TEST_CASE("a channel's rate is that at its walls, and its fastest fluid is in the middle") {
+    const Plan plan =
+        make_plan(discocyte({"boundary.z={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }",
+                             "flow.poiseuille={ mean_velocity = 1e-3 }"}));
+    CHECK(plan.flow.speed == Approx(1.5e-3).epsilon(1e-9));
+    CHECK(*plan.flow.rate == Approx(6.0 * 1e-3 / 64.0).epsilon(1e-9));
+}
+
+TEST_CASE("a vesicle beyond the box's end is refused, and one beside it is warned of") {
+    const std::string walls = "boundary.z={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }";
+    const std::string inside =
+        all(make_plan(discocyte({walls, "vesicle[0].centre=[32, 32, 12]"})), Severity::error);
+    CHECK(says(inside, "vesicle[0] and the box's end at z = 0 overlap"));
+    const std::string near =
+        all(make_plan(discocyte({walls, "vesicle[0].centre=[32, 32, 46]"})), Severity::warning);
+    CHECK(says(near, "vesicle[0] and the box's end at z = 64 are"));
+    CHECK(all(make_plan(discocyte({walls, "vesicle_type.rbc.area.deflation=1.0001"})), Severity::error)
+              .empty());
+}

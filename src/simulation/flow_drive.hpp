@@ -1,0 +1,65 @@
+#pragma once
+
+#include "boundary/bounce_back.hpp"
+#include "case/parameters.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace vesica {
+
+/// What drives and bounds a case's fluid, as the engine uses it: ends of the box that stand still, move or
+/// let fluid through, and forces that push. Wall 0 stands for obstacles at rest; the lower end of axis a is 1
+/// + 2 a and the upper one 2 + 2 a.
+class FlowDrive {
+public:
+    static constexpr int wall_count = 7;
+
+    FlowDrive() = default;
+    explicit FlowDrive(const Parameters& parameters);
+
+    bool has_solids() const { return has_solids_; }
+    /// Of a cell of the lattice.
+    bool is_solid(const Vec3<int>& cell) const { return wall_of(cell) != 0; }
+    /// What the link of a fluid cell in a direction meets, which must be solid.
+    WallLink link(const Vec3<int>& cell, int direction) const;
+
+    /// In the step that leads from `step` to the next.
+    std::array<WallState, wall_count> walls(std::int64_t step) const;
+    /// Per volume, in every cell; without the answer to buoyancy.
+    Vec3<double> body_force(std::int64_t step) const;
+    /// Of the shear that is driven, along its own plane.
+    double shear_rate(std::int64_t step) const {
+        return flow_.shear ? flow_.shear->times.strength(step) * flow_.shear->rate : 0.0;
+    }
+
+    /// Whether a force on everything must balance the buoyancy, as no wall does.
+    bool needs_answer() const { return !has_solids_ && buoyancy_ != Vec3<double>{}; }
+    const Vec3<double>& buoyancy() const { return buoyancy_; }
+
+    /// Of the fluid's box.
+    const Vec3<int>& size() const { return size_; }
+    bool has_walls(int axis) const {
+        return std::holds_alternative<WallEnds>(ends_[static_cast<std::size_t>(axis)]);
+    }
+    bool is_open(int axis) const {
+        return std::holds_alternative<OpenEnds>(ends_[static_cast<std::size_t>(axis)]);
+    }
+    std::int64_t fluid_cells() const { return std::int64_t{size_.x} * size_.y * size_.z; }
+
+private:
+    int wall_of(const Vec3<int>& cell) const;
+    Vec3<double> velocity_of(int axis, bool upper, const Vec3<double>& place) const;
+    double inlet_profile(int axis, const Vec3<double>& place) const;
+    const FlowTimes* times_of(int axis) const;
+
+    Vec3<int> size_{};
+    Vec3<int> lattice_{};
+    std::array<AxisEnds, 3> ends_{};
+    FlowParameters flow_;
+    bool has_solids_ = false;
+    Vec3<double> buoyancy_{};
+};
+
+} // namespace vesica
