@@ -3,6 +3,7 @@
 #include "colour/phase.hpp"
 #include "lattice/field.hpp"
 #include "simulation/fluid_step.hpp"
+#include "simulation/layer_forces.hpp"
 #include "simulation/layer_geometry.hpp"
 #include "simulation/layer_placement.hpp"
 #include "simulation/layer_transport.hpp"

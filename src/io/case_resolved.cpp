@@ -1,109 +1,13 @@
 #include "io/case_file.hpp"
-#include "io/case_keys.hpp"
+#include "io/case_resolver.hpp"
 
 #include <fmt/format.h>
 
-#include <cassert>
-
 namespace vesica {
+
+using namespace detail;
+
 namespace {
-
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            result += '\\';
-            result += c;
-        } else if (code < 0x20 || code == 0x7f) {
-            result += fmt::format("\\u{:04x}", code);
-        } else {
-            result += c;
-        }
-    }
-    return result + '"';
-}
-
-/// The shortest text that reads back as the same double, and as a float of TOML.
-std::string number_text(double value) {
-    const std::string text = fmt::format("{}", value);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-/// Writes keys line by line, each with its SI value and whether it is a default.
-class Resolver {
-public:
-    explicit Resolver(const Case& resolved) : case_(resolved) {}
-
-    void header(const std::string& text, const std::string& path) {
-        if (!text_.empty())
-            text_ += "\n";
-        text_ += text + "\n";
-        path_ = path;
-        generic_ = path;
-        if (path.starts_with("vesicle_type."))
-            generic_ = "vesicle_type.*";
-        for (auto open = generic_.find('['); open != std::string::npos; open = generic_.find('[', open + 1))
-            generic_.erase(open + 1, generic_.find(']', open) - open - 1);
-    }
-
-    void text(const std::string& key, const std::string& value) { line(key, quoted(value), ""); }
-
-    void number(const std::string& key, double value) {
-        const Dimension dimension = dimension_of(key);
-        line(key, number_text(value), in_si(value, dimension));
-    }
-
-    void steps(const std::string& key, std::int64_t value) {
-        line(key, fmt::format("{}", value), in_si(static_cast<double>(value), dimension::time));
-    }
-
-    void whole(const std::string& key, std::int64_t value) { line(key, fmt::format("{}", value), ""); }
-
-    void raw(const std::string& key, const std::string& value, const std::string& comment = {}) {
-        line(key, value, comment);
-    }
-
-    void point(const std::string& key, const Vec3<double>& value) {
-        const Dimension dimension = dimension_of(key);
-        std::string comment;
-        if (case_.scales && dimension != dimension::none)
-            comment = fmt::format("[{}, {}, {}]", in_si(value.x, dimension), in_si(value.y, dimension),
-                                  in_si(value.z, dimension));
-        line(key,
-             fmt::format("[{}, {}, {}]", number_text(value.x), number_text(value.y), number_text(value.z)),
-             comment);
-    }
-
-    std::string finish() { return std::move(text_); }
-
-private:
-    Dimension dimension_of(const std::string& key) const {
-        const CaseKey* known = find_case_key(generic_.empty() ? key : generic_ + "." + key);
-        assert(known);
-        return known ? known->dimension : dimension::none;
-    }
-
-    std::string in_si(double lattice, const Dimension& dimension) const {
-        if (!case_.scales || dimension == dimension::none)
-            return {};
-        return to_text(case_.scales->to_si(lattice, dimension));
-    }
-
-    void line(const std::string& key, const std::string& value, std::string comment) {
-        const std::string path = path_.empty() ? key : path_ + "." + key;
-        const CaseKey* known = find_case_key(generic_.empty() ? key : generic_ + "." + key);
-        if (known && !known->default_value.empty() && !case_.places.contains(path))
-            comment += comment.empty() ? "default" : ", default";
-        const std::string statement = fmt::format("{} = {}", key, value);
-        text_ += comment.empty() ? statement + "\n" : fmt::format("{:<40} # {}\n", statement, comment);
-    }
-
-    const Case& case_;
-    std::string text_;
-    std::string path_;
-    std::string generic_;
-};
 
 struct WriteGhosts {
     Resolver& out;
@@ -256,86 +160,6 @@ void write_vesicle(Resolver& out, const VesicleParameters& vesicle, const std::v
             out.number("amplitude", random.amplitude);
             out.whole("seed", static_cast<std::int64_t>(random.seed));
         }
-    }
-}
-
-const char* axis_name(int axis) {
-    return axis == 0 ? "x" : axis == 1 ? "y" : "z";
-}
-
-void write_times(Resolver& out, const FlowTimes& times) {
-    out.steps("start", times.start);
-    if (times.stop != FlowTimes::never)
-        out.steps("stop", times.stop);
-    out.steps("ramp", times.ramp);
-}
-
-void write_open(Resolver& out, const OpenEnds& open, int axis) {
-    const std::string table = fmt::format("boundary.{}.", axis_name(axis));
-    const std::string inlet = table + (open.enters_below ? "lower" : "upper");
-    const std::string outlet = table + (open.enters_below ? "upper" : "lower");
-    out.header("[" + inlet + "]", inlet);
-    out.text("type", "inlet");
-    Vec3<double> velocity{};
-    velocity[axis] = open.enters_below ? open.velocity : -open.velocity;
-    out.point("velocity", velocity);
-    out.text("profile", open.parabolic ? "parabolic" : "uniform");
-    out.steps("ramp", open.times.ramp);
-    out.header("[" + outlet + "]", outlet);
-    out.text("type", "outlet");
-    out.number("pressure", open.outlet_pressure);
-}
-
-void write_boundary(Resolver& out, const Parameters& parameters) {
-    out.header("[boundary]", "boundary");
-    out.number("wetting", parameters.wetting);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto* walls = std::get_if<WallEnds>(&parameters.ends[static_cast<std::size_t>(axis)]);
-        if (const auto* open = std::get_if<OpenEnds>(&parameters.ends[static_cast<std::size_t>(axis)]))
-            write_open(out, *open, axis);
-        const bool of_flow =
-            (parameters.flow.shear && parameters.flow.shear->gradient == axis) || parameters.flow.extension;
-        if (walls == nullptr || of_flow)
-            continue;
-        for (const auto& [side, velocity] :
-             {std::pair("lower", walls->lower_velocity), std::pair("upper", walls->upper_velocity)}) {
-            const std::string path = fmt::format("boundary.{}.{}", axis_name(axis), side);
-            out.header("[" + path + "]", path);
-            out.text("type", "wall");
-            out.point("velocity", velocity);
-        }
-    }
-}
-
-void write_flow(Resolver& out, const FlowParameters& flow) {
-    if (flow.shear) {
-        out.header("[flow.shear]", "flow.shear");
-        out.number("rate", flow.shear->rate);
-        out.text("velocity", axis_name(flow.shear->velocity));
-        out.text("gradient", axis_name(flow.shear->gradient));
-        out.text("with", "walls");
-        write_times(out, flow.shear->times);
-    }
-    if (flow.poiseuille) {
-        out.header("[flow.poiseuille]", "flow.poiseuille");
-        if (flow.poiseuille->mean_velocity)
-            out.number("mean_velocity", *flow.poiseuille->mean_velocity);
-        else
-            out.number("pressure_gradient", flow.poiseuille->pressure_gradient);
-        out.text("velocity", axis_name(flow.poiseuille->velocity));
-        write_times(out, flow.poiseuille->times);
-    }
-    if (flow.extension) {
-        out.header("[flow.extension]", "flow.extension");
-        out.number("rate", flow.extension->rate);
-        out.text("stretch", axis_name(flow.extension->stretch));
-        out.text("squeeze", axis_name(flow.extension->squeeze));
-        write_times(out, flow.extension->times);
-    }
-    if (flow.body_force) {
-        out.header("[flow.body_force]", "flow.body_force");
-        out.point("force", flow.body_force->force);
-        write_times(out, flow.body_force->times);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "simulation/engine.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/fluid_step.hpp"
+#include "simulation/layer_forces.hpp"
 #include "simulation/layer_geometry.hpp"
 #include "simulation/layer_placement.hpp"
 #include "simulation/layer_transport.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/layer_forces.hpp"
 #include "simulation/layer_geometry.hpp"
 #include "simulation/layer_placement.hpp"
 
