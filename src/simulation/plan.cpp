@@ -2,6 +2,7 @@
 
 #include "case/triangle_mesh.hpp"
 #include "core/input_error.hpp"
+#include "simulation/flow_drive.hpp"
 #include "simulation/plan_cost.hpp"
 #include "simulation/plan_judgement.hpp"
 
@@ -46,6 +47,17 @@ std::unique_ptr<const Shape> shape_of(const Case& what, std::size_t index) {
     }
 }
 
+/// The cells that obstacles make solid. What the reader could not know to be impossible is refused here.
+std::shared_ptr<const SolidVoxels> obstacles_of(const Case& what) {
+    try {
+        return solid_voxels(what.parameters);
+    } catch (const InputError& refusal) {
+        throw InputError(
+            what.place("obstacles.file"),
+            fmt::format("obstacles.file is \"{}\"; {}", what.parameters.obstacles->file, refusal.what()));
+    }
+}
+
 } // namespace
 
 Plan make_plan(const Case& what, const PlanOptions& options) {
@@ -65,6 +77,7 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
             std::max({plan.expected_speed, own.bending_speed.value_or(0.0), own.buoyant_speed});
     }
     plan.flow = plan_flow(parameters);
+    plan.obstacles = obstacles_of(what);
     plan.expected_speed = std::max(plan.expected_speed, plan.flow.speed);
     constexpr double speed_of_sound = 0.57735026918962576; // 1/sqrt(3)
     plan.mach = plan.expected_speed / speed_of_sound;
