@@ -57,9 +57,7 @@ SolidVoxels read_raw(const Path& file, const Vec3<int>& size) {
 
 /// A data set, or nothing if there is none of that name.
 Hdf5Dataset find_array(const Hdf5File& file, const std::string& name) {
-    const Hdf5Handle<H5Oclose> object(H5Oopen(file, name.c_str(), H5P_DEFAULT));
-    const bool is_array = object.valid() && H5Iget_type(object) == H5I_DATASET;
-    return is_array ? Hdf5Dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT)) : Hdf5Dataset();
+    return Hdf5Dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT));
 }
 
 /// The only data set at the root that has three dimensions.

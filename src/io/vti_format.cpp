@@ -241,8 +241,6 @@ std::string bytes_of(const VtiHeader& header, const XmlTag& array, std::uint64_t
         if (!begin || *begin > header.appended.size())
             complain(fmt::format("the offset is \"{}\"", offset));
         text = header.appended.substr(static_cast<std::size_t>(*begin));
-        if (!raw)
-            text = text.substr(0, text.find('<'));
     }
     const auto total = static_cast<std::size_t>(header.length_bytes + expected);
     std::optional<std::string> bytes = raw ? std::string(text.substr(0, total)) : decode_base64(text, total);

@@ -50,7 +50,19 @@ std::unique_ptr<const Shape> shape_of(const Case& what, std::size_t index) {
 /// The cells that obstacles make solid. What the reader could not know to be impossible is refused here.
 std::shared_ptr<const SolidVoxels> obstacles_of(const Case& what) {
     try {
-        return solid_voxels(what.parameters);
+        auto solids = solid_voxels(what.parameters);
+        const std::size_t count = solids != nullptr ? solids->count() : 1;
+        const Vec3<int>& size = what.parameters.size;
+        if (count == 0)
+            throw InputError("no cell of the box is solid; expected some; try another obstacles.scale or "
+                             "obstacles.position, which are in cells");
+        if (solids != nullptr && count == static_cast<std::size_t>(size.x) *
+                                              static_cast<std::size_t>(size.y) *
+                                              static_cast<std::size_t>(size.z))
+            throw InputError(
+                "every cell of the box is solid; expected some fluid; try obstacles.solid = \"inside\" or "
+                "\"outside\", or another obstacles.scale");
+        return solids;
     } catch (const InputError& refusal) {
         throw InputError(
             what.place("obstacles.file"),
