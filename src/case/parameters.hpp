@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/flow_parameters.hpp"
+#include "case/solid_voxels.hpp"
 #include "core/vec3.hpp"
 
 #include <cstdint>
@@ -194,12 +195,29 @@ struct NumericsParameters {
     friend bool operator==(const NumericsParameters&, const NumericsParameters&) = default;
 };
 
+/// Solids in the box, from a file: a closed surface or voxels.
+struct ObstacleParameters {
+    std::string file;
+    std::string dataset;                       ///< of voxels; may be empty
+    bool solid_inside = true;                  ///< of a surface; outside otherwise
+    double scale = 1.0;                        ///< cells per unit of a surface's file
+    Vec3<double> position{};                   ///< of a surface's origin, cells
+    std::shared_ptr<const TriangleMesh> mesh;  ///< of a surface's file
+    std::shared_ptr<const SolidVoxels> voxels; ///< of a file of voxels, as large as the box
+
+    friend bool operator==(const ObstacleParameters& a, const ObstacleParameters& b) {
+        return a.file == b.file && a.dataset == b.dataset && a.solid_inside == b.solid_inside &&
+               a.scale == b.scale && a.position == b.position;
+    }
+};
+
 /// Everything that decides the trajectory. Two equal Parameters give the same bits.
 struct Parameters {
     Vec3<int> size{};               ///< cells of the fluid's box
     std::array<AxisEnds, 3> ends{}; ///< of each axis
     FluidParameters fluid;
     FlowParameters flow;
+    std::optional<ObstacleParameters> obstacles;
     /// Force per volume on pure inner fluid in a cell beside a solid, towards it; below zero, away from it.
     double wetting = -0.005;
     std::vector<VesicleType> types;

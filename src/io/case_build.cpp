@@ -247,6 +247,7 @@ void build_case(CaseValues& values, const CaseUnits& units, const std::filesyste
     parameters.size = read_size(values);
     parameters.fluid = read_fluid(values, units);
     parameters.numerics = read_numerics(values);
+    parameters.obstacles = build_obstacles(values, parameters.size, folder);
     build_flow(values, parameters);
     for (const std::string& path : values.tables.at("vesicle_type.*"))
         parameters.types.push_back(build_vesicle_type(values, path));

@@ -1,9 +1,15 @@
 #include "io/case_build_flow.hpp"
 
+#include "case/triangle_mesh.hpp"
+#include "io/mesh_file.hpp"
+#include "io/voxel_file.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 namespace vesica {
@@ -184,8 +190,18 @@ void read_poiseuille(const CaseValues& values, Parameters& parameters) {
     for (int k = 0; k < 2; ++k)
         if (const int axis = (flow.velocity + 1 + k) % 3; parameters.has_walls(axis))
             across[k] = parameters.size[axis];
+    const bool obstructed = parameters.obstacles.has_value();
     const double narrow = std::min(across[0], across[1]);
     const double wide = std::max(across[0], across[1]);
+    if (obstructed && values.find("flow.poiseuille.mean_velocity"))
+        values.refuse("flow.poiseuille.mean_velocity", "expected a pressure_gradient beside [obstacles], as "
+                                                       "nobody knows which one drives that velocity; try "
+                                                       "pressure_gradient = 1e-6");
+    if (std::isinf(narrow) && obstructed) {
+        flow.pressure_gradient = values.number("flow.poiseuille.pressure_gradient");
+        parameters.flow.poiseuille = flow;
+        return;
+    }
     if (std::isinf(narrow))
         values.refuse(
             "flow.poiseuille",
@@ -203,6 +219,42 @@ void read_poiseuille(const CaseValues& values, Parameters& parameters) {
 }
 
 } // namespace
+
+std::optional<ObstacleParameters> build_obstacles(const CaseValues& values, const Vec3<int>& size,
+                                                  const std::filesystem::path& folder) {
+    if (!values.has_table("obstacles"))
+        return std::nullopt;
+    const std::string path = "obstacles.file";
+    ObstacleParameters obstacles;
+    obstacles.file = values.text(path);
+    obstacles.dataset = values.text("obstacles.dataset");
+    obstacles.solid_inside = values.text("obstacles.solid") == "inside";
+    obstacles.scale = values.number("obstacles.scale");
+    obstacles.position = read_point(values, "obstacles.position");
+    const std::filesystem::path file = folder / obstacles.file;
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const bool surface = ending == ".stl" || ending == ".ply";
+    for (const std::string key : {"obstacles.solid", "obstacles.scale", "obstacles.position"})
+        if (!surface && values.given(key))
+            values.refuse(key,
+                          "expected that only of a surface (STL, PLY), and obstacles.file holds voxels; try "
+                          "removing it");
+    if (surface && values.given("obstacles.dataset"))
+        values.refuse("obstacles.dataset",
+                      "expected that only of voxels, and obstacles.file is a surface; try removing it");
+    try {
+        if (surface)
+            obstacles.mesh = std::make_shared<const TriangleMesh>(read_triangle_mesh(file));
+        else
+            obstacles.voxels =
+                std::make_shared<const SolidVoxels>(read_voxels(file, size, obstacles.dataset));
+    } catch (const InputError& error) {
+        values.refuse(path, std::string("expected a file of solids that can be read; ") + error.what());
+    }
+    return obstacles;
+}
 
 double mean_velocity_of_duct(double height, double width, double viscosity) {
     const double plane = height * height / (12.0 * viscosity);

@@ -40,6 +40,35 @@ CaseKey axis_key(const std::string& path, const std::string& meaning, const std:
             .choices = {"x", "y", "z"}};
 }
 
+std::vector<CaseKey> obstacle_keys() {
+    return {{.path = "obstacles.file",
+             .kind = KeyKind::text,
+             .meaning = "a closed surface (STL, PLY), or voxels as large as the box, solid where they are "
+                        "not zero (VTI, "
+                        "HDF5, raw bytes with x fastest); relative to the case file",
+             .example = "\"channel.stl\"",
+             .need = Need::required},
+            {.path = "obstacles.dataset",
+             .kind = KeyKind::text,
+             .meaning = "which array of a file of voxels; empty where there is only one",
+             .default_value = "\"\""},
+            {.path = "obstacles.solid",
+             .kind = KeyKind::choice,
+             .meaning = "which side of a surface",
+             .default_value = "\"inside\"",
+             .choices = {"inside", "outside"}},
+            {.path = "obstacles.scale",
+             .kind = KeyKind::number,
+             .meaning = "cells per unit of a surface's file",
+             .default_value = "1.0",
+             .range = {.low = 0.0, .low_open = true}},
+            {.path = "obstacles.position",
+             .kind = KeyKind::point,
+             .meaning = "of the origin of a surface's file",
+             .default_value = "[0, 0, 0]",
+             .dimension = dimension::length}};
+}
+
 } // namespace
 
 std::vector<CaseKey> detail::flow_keys() {
@@ -90,6 +119,8 @@ std::vector<CaseKey> detail::flow_keys() {
                     "repel vesicles, and nothing sticks to them",
          .default_value = "-0.005",
          .range = {.low = -0.05, .high = 0.05}});
+    for (const CaseKey& key : obstacle_keys())
+        keys.push_back(key);
     keys.push_back(
         {.path = "flow.shear.rate",
          .kind = KeyKind::number,

@@ -8,7 +8,7 @@ constexpr KeyRange positive{.low = 0.0, .low_open = true};
 constexpr KeyRange step_count{.low = 0.0, .high = 1e15};
 constexpr KeyRange positive_step_count{.low = 1.0, .high = 1e15};
 
-// Columns of metrics.csv that a resting vesicle has a number for.
+// Columns of metrics.csv that can become steady; those of a flow are not numbers without one, and never do.
 const std::vector<std::string> steady_quantities{"area",
                                                  "area_ratio",
                                                  "volume",
@@ -26,7 +26,13 @@ const std::vector<std::string> steady_quantities{"area",
                                                  "vy",
                                                  "vz",
                                                  "deformation_index",
+                                                 "taylor_deformation",
+                                                 "inclination",
                                                  "tension",
+                                                 "tank_treading_frequency",
+                                                 "particle_stress",
+                                                 "effective_viscosity",
+                                                 "wall_stress",
                                                  "max_speed"};
 
 } // namespace

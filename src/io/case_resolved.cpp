@@ -211,6 +211,8 @@ std::string resolved_toml(const Case& resolved) {
     out.raw("size", fmt::format("[{}, {}, {}]", parameters.size.x, parameters.size.y, parameters.size.z));
     write_fluid(out, resolved);
     write_boundary(out, parameters);
+    if (parameters.obstacles)
+        write_obstacles(out, *parameters.obstacles);
     write_flow(out, parameters.flow);
     for (const VesicleType& type : parameters.types)
         write_type(out, type);

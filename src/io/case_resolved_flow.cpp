@@ -55,6 +55,18 @@ void detail::write_boundary(Resolver& out, const Parameters& parameters) {
     }
 }
 
+void detail::write_obstacles(Resolver& out, const ObstacleParameters& obstacles) {
+    out.header("[obstacles]", "obstacles");
+    out.text("file", obstacles.file);
+    if (obstacles.mesh == nullptr) {
+        out.text("dataset", obstacles.dataset);
+        return;
+    }
+    out.text("solid", obstacles.solid_inside ? "inside" : "outside");
+    out.number("scale", obstacles.scale);
+    out.point("position", obstacles.position);
+}
+
 void detail::write_flow(Resolver& out, const FlowParameters& flow) {
     if (flow.shear) {
         out.header("[flow.shear]", "flow.shear");

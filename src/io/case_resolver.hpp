@@ -113,5 +113,6 @@ private:
 /// The tables [boundary] and [flow].
 void write_boundary(Resolver& out, const Parameters& parameters);
 void write_flow(Resolver& out, const FlowParameters& flow);
+void write_obstacles(Resolver& out, const ObstacleParameters& obstacles);
 
 } // namespace vesica::detail

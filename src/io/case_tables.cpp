@@ -20,6 +20,7 @@ const std::vector<CaseTable>& case_tables() {
         {"boundary.z", true, ""},
         {"boundary.z.lower", true, "The end at 0."},
         {"boundary.z.upper", true, "The end at the box's size."},
+        {"obstacles", true, "Solids in the box, to which the fluid sticks."},
         {"flow", true, "What drives the fluid; flows add up."},
         {"flow.shear", true, "u = rate (z - middle) along x, or any other pair of axes."},
         {"flow.poiseuille", true, "Flow along a channel."},
@@ -50,7 +51,6 @@ const std::vector<CaseTable>& case_tables() {
 
 const std::vector<UnavailableTable>& unavailable_tables() {
     static const std::vector<UnavailableTable> tables{
-        {"obstacles", "solids from a file"},
         {"suspension", "many vesicles"},
         {"tracers", "passive points"},
     };

@@ -22,7 +22,9 @@ Vec3<double> cross(const Vec3<double>& a, const Vec3<double>& b) {
 } // namespace
 
 double tank_treading_frequency(const VesicleSnapshot& vesicle, const ShearPlane& plane) {
-    constexpr double half_slab = 1.5; // cells on either side of the plane through the centre
+    // A slab about the plane through the centre, of weight 1 there and 0 two cells away: layers of cells have
+    // the same weight together wherever the centre lies between them.
+    constexpr double half_slab = 2.0;
     constexpr std::size_t bins = 36;
     struct Arc {
         double weight = 0.0;
@@ -34,12 +36,13 @@ double tank_treading_frequency(const VesicleSnapshot& vesicle, const ShearPlane&
     const Vec3<double> velocity = (1.0 / vesicle.colour_mass) * vesicle.momentum;
     for (const InterfaceCell& cell : vesicle.cells) {
         const Vec3<double> r = cell.position - centre;
-        if (!cell.has_geometry || std::abs(dot(r, axis)) > half_slab)
+        const double in_slab = 1.0 - std::abs(dot(r, axis)) / half_slab;
+        if (!cell.has_geometry || in_slab <= 0.0)
             continue;
         const double angle = std::atan2(dot(r, plane.gradient), dot(r, plane.flow)) + pi;
         Arc& arc = arcs[std::min(bins - 1, static_cast<std::size_t>(angle / (2.0 * pi) * bins))];
-        arc.weight += cell.weight;
-        arc.flux += cell.weight * dot(cell.u - velocity, cross(axis, cell.n));
+        arc.weight += in_slab * cell.weight;
+        arc.flux += in_slab * cell.weight * dot(cell.u - velocity, cross(axis, cell.n));
     }
     double period = 0.0;
     int sense = 0;
@@ -50,7 +53,7 @@ double tank_treading_frequency(const VesicleSnapshot& vesicle, const ShearPlane&
         if (sense != 0 && here != sense)
             return std::numeric_limits<double>::quiet_NaN();
         sense = here;
-        const double length = arc.weight / (2.0 * half_slab);
+        const double length = arc.weight / half_slab;
         period += length / (std::abs(arc.flux) / arc.weight);
     }
     return sense * 2.0 * pi / period;

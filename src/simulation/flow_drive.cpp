@@ -1,6 +1,7 @@
 #include "simulation/flow_drive.hpp"
 
 #include "lattice/velocity_set.hpp"
+#include "shape/mesh_voxels.hpp"
 
 namespace vesica {
 
@@ -15,12 +16,23 @@ constexpr int upper_end(int axis) {
 
 } // namespace
 
+std::shared_ptr<const SolidVoxels> solid_voxels(const Parameters& parameters) {
+    if (!parameters.obstacles)
+        return nullptr;
+    const ObstacleParameters& solids = *parameters.obstacles;
+    if (solids.voxels != nullptr)
+        return solids.voxels;
+    return std::make_shared<const SolidVoxels>(
+        voxelise(*solids.mesh, parameters.size, solids.scale, solids.position, solids.solid_inside));
+}
+
 FlowDrive::FlowDrive(const Parameters& parameters)
     : size_(parameters.size),
       lattice_(parameters.lattice()),
       ends_(parameters.ends),
       flow_(parameters.flow),
-      has_solids_(parameters.is_bounded()) {
+      obstacles_(solid_voxels(parameters)),
+      has_solids_(parameters.is_bounded() || obstacles_ != nullptr) {
     if (!parameters.vesicles.empty())
         buoyancy_ = parameters.types.at(parameters.vesicles.front().type).buoyancy;
 }

@@ -4,10 +4,15 @@
 #include "case/parameters.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace vesica {
+
+/// The cells of the box that a case's obstacles make solid; null without obstacles. Throws InputError for a
+/// surface that is not closed.
+std::shared_ptr<const SolidVoxels> solid_voxels(const Parameters& parameters);
 
 /// What drives and bounds a case's fluid, as the engine uses it: ends of the box that stand still, move or
 /// let fluid through, and forces that push. Wall 0 stands for obstacles at rest; the lower end of axis a is 1
@@ -21,7 +26,11 @@ public:
 
     bool has_solids() const { return has_solids_; }
     /// Of a cell of the lattice.
-    bool is_solid(const Vec3<int>& cell) const { return wall_of(cell) != 0; }
+    bool is_solid(const Vec3<int>& cell) const {
+        return wall_of(cell) != 0 || (obstacles_ != nullptr && obstacles_->at(cell));
+    }
+    /// Null without obstacles.
+    const SolidVoxels* obstacles() const { return obstacles_.get(); }
     /// What the link of a fluid cell in a direction meets, which must be solid.
     WallLink link(const Vec3<int>& cell, int direction) const;
 
@@ -46,7 +55,11 @@ public:
     bool is_open(int axis) const {
         return std::holds_alternative<OpenEnds>(ends_[static_cast<std::size_t>(axis)]);
     }
-    std::int64_t fluid_cells() const { return std::int64_t{size_.x} * size_.y * size_.z; }
+    std::int64_t fluid_cells() const {
+        const auto solid =
+            obstacles_ != nullptr ? static_cast<std::int64_t>(obstacles_->count()) : std::int64_t{0};
+        return std::int64_t{size_.x} * size_.y * size_.z - solid;
+    }
 
 private:
     int wall_of(const Vec3<int>& cell) const;
@@ -58,6 +71,7 @@ private:
     Vec3<int> lattice_{};
     std::array<AxisEnds, 3> ends_{};
     FlowParameters flow_;
+    std::shared_ptr<const SolidVoxels> obstacles_;
     bool has_solids_ = false;
     Vec3<double> buoyancy_{};
 };

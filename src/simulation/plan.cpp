@@ -2,6 +2,7 @@
 
 #include "case/triangle_mesh.hpp"
 #include "core/input_error.hpp"
+#include "simulation/flow_drive.hpp"
 #include "simulation/plan_cost.hpp"
 #include "simulation/plan_judgement.hpp"
 
@@ -46,6 +47,29 @@ std::unique_ptr<const Shape> shape_of(const Case& what, std::size_t index) {
     }
 }
 
+/// The cells that obstacles make solid. What the reader could not know to be impossible is refused here.
+std::shared_ptr<const SolidVoxels> obstacles_of(const Case& what) {
+    try {
+        auto solids = solid_voxels(what.parameters);
+        const std::size_t count = solids != nullptr ? solids->count() : 1;
+        const Vec3<int>& size = what.parameters.size;
+        if (count == 0)
+            throw InputError("no cell of the box is solid; expected some; try another obstacles.scale or "
+                             "obstacles.position, which are in cells");
+        if (solids != nullptr && count == static_cast<std::size_t>(size.x) *
+                                              static_cast<std::size_t>(size.y) *
+                                              static_cast<std::size_t>(size.z))
+            throw InputError(
+                "every cell of the box is solid; expected some fluid; try obstacles.solid = \"inside\" or "
+                "\"outside\", or another obstacles.scale");
+        return solids;
+    } catch (const InputError& refusal) {
+        throw InputError(
+            what.place("obstacles.file"),
+            fmt::format("obstacles.file is \"{}\"; {}", what.parameters.obstacles->file, refusal.what()));
+    }
+}
+
 } // namespace
 
 Plan make_plan(const Case& what, const PlanOptions& options) {
@@ -65,6 +89,7 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
             std::max({plan.expected_speed, own.bending_speed.value_or(0.0), own.buoyant_speed});
     }
     plan.flow = plan_flow(parameters);
+    plan.obstacles = obstacles_of(what);
     plan.expected_speed = std::max(plan.expected_speed, plan.flow.speed);
     constexpr double speed_of_sound = 0.57735026918962576; // 1/sqrt(3)
     plan.mach = plan.expected_speed / speed_of_sound;

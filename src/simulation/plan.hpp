@@ -23,6 +23,7 @@ struct Plan {
     double relaxation_time = 1.0; ///< of the outer fluid: 3 nu + 1/2
     double interface_width = 0.0; ///< 2/beta, cells
     FlowPlan flow;
+    std::shared_ptr<const SolidVoxels> obstacles; ///< null without
     double expected_speed = 0.0; ///< the fastest of the flow and of the vesicles' own, cells per step
     double mach = 0.0;           ///< expected_speed over the speed of sound
     std::vector<VesiclePlan> vesicles;

@@ -233,7 +233,7 @@ void judge_flow(const Parameters& parameters, const Plan& plan, const RunParamet
         judge_times("flow.extension", flow.extension->times);
     if (flow.body_force) {
         judge_times("flow.body_force", flow.body_force->times);
-        if (!parameters.is_bounded())
+        if (!parameters.is_bounded() && !parameters.obstacles)
             add(remarks, Severity::warning, "flow.body_force",
                 " pushes a fluid that nothing holds: it grows faster for ever; expected walls; try "
                 "[boundary.z] with "

@@ -69,6 +69,28 @@ void judge_ends(const Parameters& parameters, std::size_t vesicle, const Shape& 
     }
 }
 
+/// The smallest distance from a vesicle's surface to the centre of a solid cell, less half a cell; negative
+/// where it reaches into one.
+void judge_obstacles(const Parameters& parameters, const SolidVoxels& solids, std::size_t vesicle,
+                     const Shape& shape, double width, Remarks& remarks) {
+    const Vec3<double>& centre = parameters.vesicles[vesicle].centre;
+    const double reach = shape.bounding_radius() + width + 3.0;
+    Vec3<int> low{};
+    Vec3<int> high{};
+    for (int a = 0; a < 3; ++a) {
+        low[a] = std::max(0, static_cast<int>(std::floor(centre[a] - reach)));
+        high[a] = std::min(parameters.size[a], static_cast<int>(std::ceil(centre[a] + reach)));
+    }
+    double gap = std::numeric_limits<double>::infinity();
+    for (int z = low.z; z < high.z; ++z)
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x)
+                if (solids.at({x, y, z}))
+                    gap = std::min(gap, shape.signed_distance({x + 0.5, y + 0.5, z + 0.5}) - 0.5);
+    judge_gap(fmt::format("vesicle[{}].centre", vesicle),
+              fmt::format("vesicle[{}] and the obstacles", vesicle), "another centre", gap, width, remarks);
+}
+
 } // namespace
 
 void judge_places(const Parameters& parameters, const std::vector<std::unique_ptr<const Shape>>& shapes,
@@ -113,8 +135,11 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
                           remarks);
         }
     }
-    for (std::size_t a = 0; a < shapes.size(); ++a)
+    for (std::size_t a = 0; a < shapes.size(); ++a) {
         judge_ends(parameters, a, *shapes[a], width, remarks);
+        if (plan.obstacles != nullptr)
+            judge_obstacles(parameters, *plan.obstacles, a, *shapes[a], width, remarks);
+    }
     for (std::size_t a = 0; a < shapes.size(); ++a) {
         const VesiclePlan& vesicle = plan.vesicles[a];
         const double widest = 2.0 * 1.24 * std::sqrt(vesicle.target_area / (4.0 * 3.14159265358979));

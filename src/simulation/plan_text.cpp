@@ -246,7 +246,7 @@ std::string model_text() {
            "  local inextensibility        the whole area is kept, not that of every patch\n"
            "\n"
            "Not in this version\n"
-           "  inlets, outlets, obstacles, extensional flow, suspensions, tracers: one vesicle in a periodic "
+           "  Lees-Edwards shear, suspensions, tracers: one vesicle in a periodic "
            "box\n"
            "  or between walls\n";
 }

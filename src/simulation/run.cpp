@@ -216,11 +216,13 @@ private:
 };
 
 /// The case as it is read again from anywhere: a checkpoint lies in another folder than the case file.
-Case with_absolute_meshes(Case what) {
+Case with_absolute_files(Case what) {
     const std::filesystem::path folder = std::filesystem::path(what.source_file).parent_path();
     for (VesicleParameters& vesicle : what.parameters.vesicles)
         if (auto* mesh = std::get_if<MeshShape>(&vesicle.shape))
             mesh->file = std::filesystem::absolute(folder / mesh->file).string();
+    if (auto& obstacles = what.parameters.obstacles)
+        obstacles->file = std::filesystem::absolute(folder / obstacles->file).string();
     return what;
 }
 
@@ -235,7 +237,7 @@ int threads_for(const RunOptions& options) {
 
 RunOutcome run_case(const Case& original, const RunOptions& options) {
     const auto begin = Clock::now();
-    Case what = with_absolute_meshes(original);
+    Case what = with_absolute_files(original);
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
     if (options.crew != nullptr) // a box that cannot be cut is refused before anything is written

@@ -138,7 +138,8 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
          "fluid.kinematic_viscosity"},
         {"[lattice]", "[latice]",
          "case.toml:3:2: latice is not a known key; expected title, lattice, fluid, "
-         "boundary, flow, vesicle, initial, numerics, run, output, units or vesicle_type; try lattice"},
+         "boundary, obstacles, flow, vesicle, initial, numerics, run, output, units or vesicle_type; try "
+         "lattice"},
         {"radius = 15", "rad = 15",
          "case.toml:32:1: vesicle[0].rad is not a known key; expected type, shape, aspect, reduced_volume, "
          "file, centre, radius, axis or perturbation; try vesicle[0].radius"},
@@ -164,9 +165,6 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
 
 TEST_CASE("what is not available yet is refused and says so") {
     check_messages({
-        {"[numerics]", "[obstacles]\n[numerics]",
-         "case.toml:39:2: obstacles is not available yet (solids from a file); expected one vesicle in a "
-         "periodic box or between walls; try removing it"},
         {"[numerics]", "[suspension]\n[numerics]",
          "case.toml:39:2: suspension is not available yet (many vesicles); expected one vesicle in a "
          "periodic box or between walls; try removing it"},

@@ -31,16 +31,19 @@ Snapshot box(double rate = 0.0) {
 
 } // namespace
 
-TEST_CASE("a membrane that turns like a wheel goes round at the wheel's frequency", "[measure]") {
-    VesicleSnapshot vesicle = spheroid(10.0, 10.0);
+TEST_CASE("a membrane that turns like a wheel goes round at the wheel's frequency, wherever its centre lies",
+          "[measure]") {
+    const Vec3<double> centre{20.2, 20.4 + GENERATE(-0.5, -0.4, -0.25, 0.0, 0.1), 20.4};
+    VesicleSnapshot vesicle = exact::snapshot_of(exact::Spheroid{centre, 10.0, 10.0}, {20, 20, 20}, 18);
+    vesicle.colour_mass = 1.0;
     const double omega = 1.3e-3;
     // The shear turns from the gradient to the flow: u_x = omega z, u_z = -omega x; and the whole moves
     // along.
     const Vec3<double> drift{0.02, -0.01, 0.005};
     vesicle.momentum = drift;
     for (InterfaceCell& cell : vesicle.cells)
-        cell.u = drift + Vec3<double>{omega * (cell.position.z - middle.z), 0.0,
-                                      -omega * (cell.position.x - middle.x)};
+        cell.u = drift + Vec3<double>{omega * (cell.position.z - centre.z), 0.0,
+                                      -omega * (cell.position.x - centre.x)};
     CHECK(tank_treading_frequency(vesicle, plane) == Approx(omega).epsilon(0.02));
     CHECK(tank_treading_frequency(vesicle, {{-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}) ==
           Approx(-omega).epsilon(0.02));
