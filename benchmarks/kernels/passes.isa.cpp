@@ -59,7 +59,7 @@ void time_pass(benchmark::State& state, int edge, Pass timed) {
         run(Pass::fluid, [&] {
             const Streaming streamed = after_step(streaming);
             layer.begin_transport(threads);
-            fluid(streaming, sphere.influence(), nullptr, threads,
+            fluid(streaming, sphere.influence(), FlowInfluence<Real>{}, nullptr, threads,
                   [&](int thread, std::int64_t first_row, std::int64_t last_row) {
                       layer.transport_rows(f, streamed, thread, first_row, last_row);
                   });
