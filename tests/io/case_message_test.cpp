@@ -61,7 +61,9 @@ TEST_CASE("what is stated twice or not at all is refused") {
          "case.toml:47:20: run.stop_when_steady.quantity is missing; expected \"area\", \"area_ratio\", "
          "\"volume\", \"reduced_volume\", \"bending_energy\", \"mean_curvature_integral\", "
          "\"gaussian_curvature_over_pi\", \"inertia_1\", \"inertia_2\", \"inertia_3\", \"x\", \"y\", \"z\", "
-         "\"vx\", \"vy\", \"vz\", \"deformation_index\", \"tension\" or \"max_speed\"; try quantity = "
+         "\"vx\", \"vy\", \"vz\", \"deformation_index\", \"taylor_deformation\", \"inclination\", "
+         "\"tension\", \"tank_treading_frequency\", \"particle_stress\", \"effective_viscosity\", "
+         "\"wall_stress\" or \"max_speed\"; try quantity = "
          "\"bending_energy\""},
     });
 }

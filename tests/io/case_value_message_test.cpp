@@ -241,7 +241,9 @@ TEST_CASE("a value out of its range is refused") {
          "case.toml:47:33: run.stop_when_steady.quantity is \"energy\"; expected \"area\", \"area_ratio\", "
          "\"volume\", \"reduced_volume\", \"bending_energy\", \"mean_curvature_integral\", "
          "\"gaussian_curvature_over_pi\", \"inertia_1\", \"inertia_2\", \"inertia_3\", \"x\", \"y\", \"z\", "
-         "\"vx\", \"vy\", \"vz\", \"deformation_index\", \"tension\" or \"max_speed\"; try quantity = "
+         "\"vx\", \"vy\", \"vz\", \"deformation_index\", \"taylor_deformation\", \"inclination\", "
+         "\"tension\", \"tank_treading_frequency\", \"particle_stress\", \"effective_viscosity\", "
+         "\"wall_stress\" or \"max_speed\"; try quantity = "
          "\"area\""},
         {"keep = 2", "keep = 0",
          "case.toml:54:38: output.checkpoint.keep is 0; expected a whole number at least 1 and at most "
