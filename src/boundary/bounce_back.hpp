@@ -87,17 +87,20 @@ public:
         }
     }
 
-    /// The force of each wall on the fluid in the last step: the momentum its links gave. Sums are exact.
+    /// The force of each wall but outlets on the fluid in the last step, whose states are still set: the
+    /// momentum its links gave. From what came back alone, which a cell keeps when it is saved. Sums are
+    /// exact.
     template <class Sum>
     void add_forces(Streaming streaming, std::vector<std::array<Sum, 3>>& forces) const {
         for (const Link& link : links_) {
+            if (walls_[link.wall].open)
+                continue;
             const int i = link.direction;
-            const Real* const inside = f_.slot(opposite(i)) + link.cell;
-            const Real* const beyond = f_.slot(i) + link.cell + offsets_[i];
-            const bool was_arrived = streaming == Streaming::turned;
-            const double sent = static_cast<double>(was_arrived ? *inside : *beyond);
-            const double back = static_cast<double>(was_arrived ? *beyond : *inside);
-            const double lost = sent + back + 2.0 * weight(i) * rho0_;
+            const double gift = link.gift * walls_[link.wall].strength;
+            Real back = f_.slot(opposite(i))[link.cell];
+            if (streaming == Streaming::turned) // it lies beyond, and here what was sent
+                back += static_cast<Real>(gift);
+            const double lost = 2.0 * static_cast<double>(back) - gift + 2.0 * weight(i) * rho0_;
             for (int a = 0; a < 3; ++a)
                 if (velocity(i, a) != 0)
                     forces[link.wall][static_cast<std::size_t>(a)].add(-velocity(i, a) * lost);

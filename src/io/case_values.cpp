@@ -62,8 +62,8 @@ bool CaseValues::boolean(const std::string& path) const {
 
 void CaseValues::refuse(const std::string& path, const std::string& advice) const {
     const CaseValue* value = find(path);
-    throw InputError(place(path),
-                     fmt::format("{} is {}; {}", path, value ? value->shown : "missing", advice));
+    const std::string found = value ? value->shown : table_places.contains(path) ? "there" : "missing";
+    throw InputError(place(path), fmt::format("{} is {}; {}", path, found, advice));
 }
 
 void CaseValues::warn(const std::string& path, const std::string& advice) {

@@ -87,11 +87,12 @@ void measure_flow(const VesicleSnapshot& vesicle, const Snapshot& snapshot, cons
     const ShearPlane& plane = *baseline.shear_plane;
     row.tank_treading_frequency = tank_treading_frequency(vesicle, plane);
     row.particle_stress = particle_stress(vesicle, plane, snapshot.outer_viscosity);
+    if (snapshot.shear_rate == 0.0)
+        return;
     row.wall_stress = wall_stress(snapshot, plane);
     const double volume = snapshot.size.x * snapshot.size.y * snapshot.size.z;
-    if (snapshot.shear_rate != 0.0)
-        row.effective_viscosity =
-            1.0 + row.particle_stress / (snapshot.outer_viscosity * std::abs(snapshot.shear_rate) * volume);
+    row.effective_viscosity =
+        1.0 + row.particle_stress / (snapshot.outer_viscosity * std::abs(snapshot.shear_rate) * volume);
 }
 
 } // namespace

@@ -106,6 +106,7 @@ void LatticeEngine<Real>::load(const EngineState& state) {
     fill_at_rest();
     step_ = state.step;
     streaming_ = Streaming::arrived;
+    remember_walls();
     std::vector<std::uint8_t> core(layer_.inside().size(), 0);
     std::vector<std::uint8_t> inside(layer_.inside().size(), 0);
     std::vector<std::size_t> canonical(static_cast<std::size_t>(grid_.cells()), 0);
@@ -136,6 +137,7 @@ void LatticeEngine<Real>::load(const EngineState& state) {
     layer_.weigh(f_, streaming_, setup_.threads);
     layer_.locate(setup_.threads);
     find_geometry();
+    answer_buoyancy();
     layer_.forces(membrane_, setup_.threads);
 }
 

@@ -225,7 +225,11 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     vesicle.viscosity_ratio = setup_.viscosity_ratio;
     vesicle.tension = membrane_.tension();
     vesicle.target_area = membrane_.target.at(step_);
-    const Unwrap unwrap(block_.box, middle());
+    Vec3<int> period = block_.box;
+    for (int a = 0; a < 3; ++a)
+        if (setup_.drive.has_walls(a) || setup_.drive.is_open(a))
+            period[a] = 0;
+    const Unwrap unwrap(period, middle());
 
     std::vector<InterfaceCell> cells = layer_cells();
     std::vector<InsideSpan> inside = inside_spans();

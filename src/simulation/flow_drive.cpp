@@ -37,11 +37,13 @@ FlowDrive::FlowDrive(const Parameters& parameters)
         buoyancy_ = parameters.types.at(parameters.vesicles.front().type).buoyancy;
 }
 
-/// Where the layers of two axes meet, that of the first counts.
+/// Where the layers of two axes meet, walls count before ends that let fluid through, and then the first
+/// axis.
 int FlowDrive::wall_of(const Vec3<int>& cell) const {
-    for (int a = 0; a < 3; ++a)
-        if (cell[a] >= size_[a])
-            return cell[a] == size_[a] ? upper_end(a) : lower_end(a);
+    for (const bool open : {false, true})
+        for (int a = 0; a < 3; ++a)
+            if (cell[a] >= size_[a] && is_open(a) == open)
+                return cell[a] == size_[a] ? upper_end(a) : lower_end(a);
     return 0;
 }
 
@@ -67,7 +69,7 @@ Vec3<double> FlowDrive::velocity_of(int axis, bool upper, const Vec3<double>& pl
         u[axis] = (upper ? -1.0 : 1.0) * open->velocity * inlet_profile(axis, place);
     if (flow_.shear && flow_.shear->gradient == axis)
         u[flow_.shear->velocity] = (upper ? 0.5 : -0.5) * flow_.shear->rate * size_[axis];
-    if (flow_.extension) {
+    if (flow_.extension && (flow_.extension->stretch == axis || flow_.extension->squeeze == axis)) {
         const auto from_middle = [&](int a) {
             return place[a] - 0.5 * size_[a];
         };

@@ -75,6 +75,7 @@ public:
         if (!block_.is_whole())
             others_.emplace(*setup_.neighbourhood, f_, grid_);
         fill_at_rest();
+        remember_walls();
         if (setup_.colours != nullptr) {
             layer_.place(
                 setup_.colours->core(),
@@ -85,7 +86,6 @@ public:
             find_geometry();
             push_fluid();
         }
-        answer_buoyancy();
     }
 
     void step() override {
@@ -201,6 +201,7 @@ private:
     void push_fluid() {
         enter(StepPart::forces);
         hold_area();
+        answer_buoyancy();
         layer_.forces(membrane_, setup_.threads);
     }
 
@@ -265,14 +266,21 @@ private:
     }
     const SolidCells* solids() const { return solids_ ? &solids_ : nullptr; }
 
+    /// The walls as they were in the last step; before the first they have done nothing.
+    void remember_walls() {
+        if (!solids_)
+            return;
+        auto walls = setup_.drive.walls(step_ - 1);
+        for (WallState& wall : walls)
+            wall.strength = step_ > 0 ? wall.strength : 0.0;
+        walls_.set_walls(walls);
+    }
+
     /// In a periodic box nothing else would hold what the vesicles' buoyancy gives the fluid.
     void answer_buoyancy() {
-        if (!setup_.drive.needs_answer() || layer_.empty())
-            return;
-        const double mass = colour_sums(layer_cells(), inside_spans()).over(ranks()).mass.value();
-        const double share =
-            mass / (setup_.reference_density * static_cast<double>(setup_.drive.fluid_cells()));
-        answer_ = -share * setup_.drive.buoyancy();
+        if (setup_.drive.needs_answer())
+            answer_ = (-layer_.sums().red / static_cast<double>(setup_.drive.fluid_cells())) *
+                      setup_.drive.buoyancy();
     }
     /// What pushes every cell at present.
     Vec3<double> body_force() const { return setup_.drive.body_force(step_) + answer_; }

@@ -31,6 +31,7 @@ struct LayerSums {
     double raw_area = 0.0;              ///< sum (beta/2)(1 - phi^2)
     double gaussian_curvature = 0.0;    ///< int K dA
     double square_mean_curvature = 0.0; ///< int H^2 dA
+    double red = 0.0;                   ///< sum rho_R/rho over all cells
 };
 
 /// What a thread's share of a transport amounts to; on a cache line of its own.
@@ -125,15 +126,7 @@ public:
     double end_transport();
 
     /// Density of every cell that needs it, from the populations; transport does the same on its way.
-    void weigh(const PopulationView<Real>& f, Streaming streaming, int threads) {
-        for_tiles(reach::receiving, threads, [&]<class Tiles>(const Tiles& t) {
-            using V = typename Tiles::V;
-            V g[direction_count];
-            for (int i = 0; i < direction_count; ++i)
-                g[i] = V::load(f.find(streaming, i, t.cell()));
-            t.store(density_of(g), fields_.density);
-        });
-    }
+    void weigh(const PopulationView<Real>& f, Streaming streaming, int threads);
 
     /// Where the surface is: s, the layer's area, and whether the core has left its place.
     /// What leaked out of the band is given back, in proportion to 1 - phi^2: mass is exact.
@@ -142,6 +135,7 @@ public:
             1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
         const Real correction = static_cast<Real>(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
         std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
+        std::vector<LaneSum<38>> red(static_cast<std::size_t>(threads));
         struct alignas(64) Departed {
             unsigned bits = 0;
         };
@@ -164,6 +158,7 @@ public:
             t.store(spread_force_.profile(phase_of(chi)), fields_.psi);
             const V layer = layer_density(chi);
             area[at(thread)].add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
+            red[at(thread)].add(select<Real>(t.cells_of(Band::outermost), red_fraction(chi), V(0)));
             const std::uint32_t core = bits_of<V>((layer > V(settings_.cutoff)) & holds_both);
             for (int k = 0; k < Tiles::count; ++k)
                 core_bits_[index + at(k)] = static_cast<std::uint8_t>(core >> (k * tile_width));
@@ -173,6 +168,7 @@ public:
               place_surface);
         extend_into_solids({fields_.s}, Band::outermost, 1.0, threads);
         area_ = merged(area);
+        red_ = merged(red);
         core_has_left_ = ranks().any(std::any_of(departed.begin(), departed.end(),
                                                  [](const Departed& cells) { return cells.bits != 0; }));
         leaked_ = 0.0;
@@ -260,6 +256,7 @@ private:
 
     void lay_out(const std::vector<Band::Seed>& core);
     void number_rows();
+    void count_plain_red();
 
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
@@ -292,8 +289,9 @@ private:
 
     /// All that the area's constraint asks for.
     void set_integrals(const LaneSum<38>& gaussian, const LaneSum<38>& square) {
-        const auto [area, gaussian_curvature, square_mean_curvature] = over_ranks(area_, gaussian, square);
-        sums_ = {area, gaussian_curvature, square_mean_curvature};
+        const auto [area, gaussian_curvature, square_mean_curvature, red, inside] =
+            over_ranks(area_, gaussian, square, red_, plain_red_);
+        sums_ = {area, gaussian_curvature, square_mean_curvature, red + inside};
     }
 
     void set_leaked(const LaneSum<50>& more, const LaneSum<38>& layer) {
@@ -388,6 +386,8 @@ private:
         row_begins_; ///< per row of the box: its first tile in the receiving level's list
     std::vector<TransportSums> transport_sums_; ///< per thread
     LaneSum<38> area_;                          ///< of this rank's block
+    LaneSum<38> red_;                           ///< rho_R/rho of its band's cells
+    LaneSum<20> plain_red_;                     ///< its other cells inside, laid out with the band
     LayerSums sums_;
     double leaked_ = 0.0;    ///< red mass to be given back
     double layer_sum_ = 0.0; ///< sum (1 - phi^2) it is shared by

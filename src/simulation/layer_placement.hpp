@@ -3,6 +3,7 @@
 #include "simulation/layer.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace vesica {
@@ -77,6 +78,7 @@ void Layer<Real>::lay_out(const std::vector<Band::Seed>& core) {
         force_slots_[at(t.tile)] = t.slot();
     }
     number_rows();
+    count_plain_red();
     // The slot that stands for everything outside the band must be harmless.
     std::fill_n(fields_.density.begin(), fields_.density.size(), Real(settings_.reference_density));
 }
@@ -90,6 +92,20 @@ void Layer<Real>::number_rows() {
         ++row_begins_[at(origin.y + std::int64_t{size.y} * origin.z + 1)];
     }
     std::partial_sum(row_begins_.begin(), row_begins_.end(), row_begins_.begin());
+}
+
+template <class Real>
+void Layer<Real>::count_plain_red() {
+    double count = 0.0;
+    for (std::int64_t tile = 0; tile < band_.grid().tiles(); ++tile)
+        if (inside_[at(tile)] != 0)
+            count += std::popcount(static_cast<unsigned>(
+                inside_[at(tile)] & band_.grid().interior_bits(band_.grid().tile_origin(tile))));
+    for (const BandTile& t : band_.tiles())
+        count -= std::popcount(static_cast<unsigned>(inside_[at(t.tile)] & t.bits[Band::outermost]));
+    const double lanes[tile_width] = {count};
+    plain_red_ = {};
+    plain_red_.add(Pack<double>::load(lanes));
 }
 
 template <class Real>

@@ -97,6 +97,17 @@ auto Layer<Real>::gather_beside_solids(const Tiles& t, const Fraction& fraction,
 }
 
 template <class Real>
+void Layer<Real>::weigh(const PopulationView<Real>& f, Streaming streaming, int threads) {
+    for_tiles(reach::receiving, threads, [&]<class Tiles>(const Tiles& t) {
+        using V = typename Tiles::V;
+        V g[direction_count];
+        for (int i = 0; i < direction_count; ++i)
+            g[i] = V::load(f.find(streaming, i, t.cell()));
+        t.store(density_of(g), fields_.density);
+    });
+}
+
+template <class Real>
 double Layer<Real>::end_transport() {
     TransportSums total;
     for (const TransportSums& sums : transport_sums_)

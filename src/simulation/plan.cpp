@@ -96,7 +96,8 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
 
     judge_fluid(parameters, plan, plan.remarks);
     judge_flow(parameters, plan, what.run, plan.remarks);
-    judge_memory(parameters, static_cast<double>(plan.cells), plan.remarks);
+    const Vec3<int> lattice = parameters.lattice();
+    judge_memory(parameters, static_cast<double>(lattice.x) * lattice.y * lattice.z, plan.remarks);
     for (std::size_t vesicle = 0; vesicle < parameters.vesicles.size(); ++vesicle)
         judge_vesicle(parameters, vesicle, plan.vesicles[vesicle], what.run, options, plan.remarks);
     judge_places(parameters, shapes, plan, plan.remarks);

@@ -23,14 +23,21 @@ FlowPlan plan_flow(const Parameters& parameters) {
         shear = 0.5 * *plan.rate * parameters.size[flow.shear->gradient];
     }
     double channel = 0.0;
+    double height = std::numeric_limits<double>::infinity();
+    double side = std::numeric_limits<double>::infinity();
+    for (int a = 0; a < 3; ++a) {
+        side = std::min(side, static_cast<double>(parameters.size[a]));
+        if (parameters.has_walls(a))
+            height = std::min(height, static_cast<double>(parameters.size[a]));
+    }
+    if (std::isinf(height))
+        height = side; // obstacles hold the fluid: no channel between them is wider than the box
+    const double viscosity = parameters.fluid.density * parameters.fluid.kinematic_viscosity;
+    if (flow.body_force && (parameters.is_bounded() || parameters.obstacles))
+        channel = norm(flow.body_force->force) * height * height / (8.0 * viscosity);
     if (flow.poiseuille) {
-        double height = std::numeric_limits<double>::infinity();
-        for (int a = 0; a < 3; ++a)
-            if (parameters.has_walls(a))
-                height = std::min(height, static_cast<double>(parameters.size[a]));
-        const double viscosity = parameters.fluid.density * parameters.fluid.kinematic_viscosity;
         const double push = std::abs(flow.poiseuille->pressure_gradient);
-        channel = push * height * height / (8.0 * viscosity); // between planes; less in a duct
+        channel += push * height * height / (8.0 * viscosity); // between planes; less in a duct
         if (!plan.rate)
             plan.rate = push * height / (2.0 * viscosity);
     }

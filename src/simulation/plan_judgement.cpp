@@ -184,6 +184,7 @@ void judge_flow(const Parameters& parameters, const Plan& plan, const RunParamet
                             : flow.poiseuille ? flow.poiseuille->mean_velocity
                                                     ? "flow.poiseuille.mean_velocity"
                                                     : "flow.poiseuille.pressure_gradient"
+                            : flow.body_force ? "flow.body_force"
                                               : "boundary";
     const double strength = flow.shear       ? flow.shear->rate
                             : flow.extension ? flow.extension->rate

@@ -63,8 +63,17 @@ void judge_ends(const Parameters& parameters, std::size_t vesicle, const Shape& 
             const std::string key = fmt::format("vesicle[{}].centre", vesicle);
             const std::string who =
                 fmt::format("vesicle[{}] and the box's end at {} = {:g}", vesicle, "xyz"[axis], place);
-            judge_gap(key, who, "another centre or a larger box", gap_to_plane(shape, centre, axis, place),
-                      width, remarks);
+            const double gap = gap_to_plane(shape, centre, axis, place);
+            judge_gap(key, who, "another centre or a larger box", gap, width, remarks);
+            // A run ends where the layer, down to the cutoff, has come within six cells.
+            const double layer =
+                std::atanh(std::sqrt(1.0 - parameters.numerics.cutoff)) / parameters.fluid.segregation;
+            if (parameters.is_open(axis) && gap < 6.0 + layer && gap >= 0.0)
+                remarks.push_back(
+                    {Severity::error, key,
+                     fmt::format("{} are {:.1f} cells apart; expected at least {:.1f}, as inlets and "
+                                 "outlets know nothing of membranes; try another centre or a longer box",
+                                 who, gap, 6.0 + layer)});
         }
     }
 }
@@ -75,17 +84,26 @@ void judge_obstacles(const Parameters& parameters, const SolidVoxels& solids, st
                      const Shape& shape, double width, Remarks& remarks) {
     const Vec3<double>& centre = parameters.vesicles[vesicle].centre;
     const double reach = shape.bounding_radius() + width + 3.0;
+    // Across periodic edges too.
     Vec3<int> low{};
     Vec3<int> high{};
     for (int a = 0; a < 3; ++a) {
-        low[a] = std::max(0, static_cast<int>(std::floor(centre[a] - reach)));
-        high[a] = std::min(parameters.size[a], static_cast<int>(std::ceil(centre[a] + reach)));
+        low[a] = static_cast<int>(std::floor(centre[a] - reach));
+        high[a] = static_cast<int>(std::ceil(centre[a] + reach));
+        if (parameters.is_bounded(a)) {
+            low[a] = std::max(0, low[a]);
+            high[a] = std::min(parameters.size[a], high[a]);
+        }
     }
+    const auto home = [&](int place, int axis) {
+        const int size = parameters.size[axis];
+        return (place % size + size) % size;
+    };
     double gap = std::numeric_limits<double>::infinity();
     for (int z = low.z; z < high.z; ++z)
         for (int y = low.y; y < high.y; ++y)
             for (int x = low.x; x < high.x; ++x)
-                if (solids.at({x, y, z}))
+                if (solids.at({home(x, 0), home(y, 1), home(z, 2)}))
                     gap = std::min(gap, shape.signed_distance({x + 0.5, y + 0.5, z + 0.5}) - 0.5);
     judge_gap(fmt::format("vesicle[{}].centre", vesicle),
               fmt::format("vesicle[{}] and the obstacles", vesicle), "another centre", gap, width, remarks);

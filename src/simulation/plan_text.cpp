@@ -116,7 +116,9 @@ void describe_fluid(const Case& what, const Plan& plan, SideBySide& table) {
     table.value("fastest speed expected", plan.expected_speed, dimension::velocity);
     table.value("Mach number", plan.mach, dimension::none);
     if (plan.flow.rate)
-        table.value(parameters.flow.shear ? "shear rate gamma" : "shear rate gamma, at the channel's walls",
+        table.value(parameters.flow.shear       ? "shear rate gamma"
+                    : parameters.flow.extension ? "rate of extension"
+                                                : "shear rate gamma, at the channel's walls",
                     *plan.flow.rate, dimension::rate);
     if (parameters.flow.poiseuille)
         table.value("pressure gradient", parameters.flow.poiseuille->pressure_gradient,
@@ -239,7 +241,7 @@ std::string model_text() {
            "Not in the model, so nothing of it will be seen\n"
            "  thermal noise                the membrane does not flicker\n"
            "  area-difference elasticity   the two leaflets are one\n"
-           "  adhesion                     membranes and walls do not attract each other\n"
+           "  adhesion                     membranes do not attract each other (walls: boundary.wetting)\n"
            "  osmosis                      the volume stays what it is, whatever the pressure\n"
            "  shear elasticity             a red cell's cytoskeleton is missing: its membrane flows in its "
            "plane\n"

@@ -57,6 +57,8 @@ bool can_break(const Remark& remark) {
 
 /// The first reason that fits; the judgements of the plan come before guesses.
 std::string likely_cause(const Case& what, const Plan& plan, const Trouble& trouble) {
+    if (trouble.cause.find("inlet or outlet") != std::string::npos)
+        return "it was carried there; try a longer box or fewer steps";
     const auto warning = std::find_if(plan.remarks.begin(), plan.remarks.end(), can_break);
     if (warning != plan.remarks.end())
         return fmt::format("the plan warned: {}", warning->text);

@@ -38,8 +38,6 @@ std::optional<ShearPlane> shear_plane(const Parameters& parameters) {
     if (flow.shear)
         return ShearPlane{along(flow.shear->velocity, flow.shear->rate < 0.0 ? -1.0 : 1.0),
                           along(flow.shear->gradient, 1.0)};
-    if (flow.extension)
-        return ShearPlane{along(flow.extension->stretch, 1.0), along(flow.extension->squeeze, 1.0)};
     if (!flow.poiseuille)
         return std::nullopt;
     const int next = (flow.poiseuille->velocity + 1) % 3;
@@ -83,7 +81,9 @@ RunMetrics::RunMetrics(const Parameters& parameters, const RunParameters& run, s
 const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot) {
     last_.clear();
     for (std::size_t vesicle = 0; vesicle < snapshot.vesicles.size(); ++vesicle) {
-        if (snapshot.step <= flow_start_) // elongation is against the shape the flow finds
+        const bool on_schedule =
+            every_ == 0 || snapshot.step % every_ == 0;  // a run cut short must not count twice
+        if (snapshot.step <= flow_start_ && on_schedule) // elongation is against the shape the flow finds
             baselines_[vesicle].diameter = largest_diameter(snapshot.vesicles[vesicle]);
         MetricsRow row = measure(snapshot.vesicles[vesicle], snapshot, baselines_[vesicle]);
         const Vec3<double> centre = trackers_[vesicle].follow({row.x, row.y, row.z});

@@ -81,6 +81,22 @@ void check_model(const Case& what, const Case& before, const std::filesystem::pa
     const Parameters& then = before.parameters;
     if (!(then.size == now.size))
         other("lattice.size", size_text(then.size), size_text(now.size));
+    const auto ends_text = [](const Parameters& parameters) {
+        std::string bounded;
+        for (int a = 0; a < 3; ++a)
+            if (parameters.is_bounded(a))
+                bounded += "xyz"[a];
+        return bounded.empty() ? std::string("periodic along all axes") : "bounded along " + bounded;
+    };
+    if (!(then.lattice() == now.lattice()))
+        refuse(what, "initial.checkpoint",
+               fmt::format(
+                   "the box in {} is {}, but {} here; try the same walls in both: the earlier case may have "
+                   "[boundary] walls at rest, or this flow with a later start",
+                   path.string(), ends_text(then), ends_text(now)));
+    if (then.obstacles != now.obstacles)
+        refuse(what, "initial.checkpoint",
+               fmt::format("[obstacles] in {} are not those here; try the same in both", path.string()));
     if (then.numerics.precision != now.numerics.precision)
         other("numerics.precision", precision_text(then.numerics.precision),
               precision_text(now.numerics.precision));

@@ -81,7 +81,8 @@ TEST_CASE("flows that do not fit together are refused with the remedy") {
     const std::vector<std::pair<std::vector<std::string>, std::string>> rows{
         {{"flow.shear={ rate = 1e-4, velocity = \"z\" }"},
          "expected two different axes for velocity and gradient"},
-        {{walls_z, "flow.shear={ rate = 1e-4 }"}, "flow.shear makes the walls across its gradient"},
+        {{walls_z, "flow.shear={ rate = 1e-4 }"},
+         "boundary.z is there; expected nothing there, as flow.shear makes the walls across its gradient"},
         {{"boundary.x={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }",
           "flow.shear={ rate = 1e-4 }"},
          "expected no walls across the flow's own axis"},

@@ -1,3 +1,4 @@
+#include "lattice/velocity_set.hpp"
 #include "simulation/engine_cases.hpp"
 
 #include <catch2/catch.hpp>
@@ -226,4 +227,54 @@ TEST_CASE("a box whose ends move with an extension has its flow, exactly") {
         }
     INFO("largest error " << worst << " of speeds up to 1e-3");
     CHECK(worst < 1e-6);
+}
+
+TEST_CASE("what walls gave the fluid is known again when a state has been loaded") {
+    const int steps = GENERATE(0, 30, 31);
+    Parameters parameters = channel({10, 6, 12}, 2, 1.0 / 3.0);
+    parameters.flow.shear = ShearFlow{1e-3, 0, 2, {0, FlowTimes::never, 50}};
+    parameters.ends[1] = WallEnds{};
+    const auto engine = make_engine(parameters, 1);
+    run(*engine, steps);
+    const auto again = make_engine(parameters, 1);
+    again->load(engine->save());
+    CHECK(again->snapshot().wall_force == engine->snapshot().wall_force);
+    if (steps == 0)
+        CHECK(engine->snapshot().wall_force[2][1].x == 0.0);
+    else
+        CHECK(engine->snapshot().wall_force[2][1].x > 0.0);
+}
+
+TEST_CASE("walls across the third axis of an extension stay as they are") {
+    Parameters parameters;
+    parameters.size = {12, 10, 12};
+    parameters.ends = {WallEnds{}, WallEnds{}, WallEnds{}};
+    parameters.flow.extension = ExtensionFlow{1e-3, 0, 2, {1000, FlowTimes::never, 10}};
+    const auto engine = make_engine(parameters, 1);
+    run(*engine, 50);
+    CHECK(engine->snapshot().max_speed == 0.0); // it has not begun yet
+}
+
+TEST_CASE("buoyancy is answered by as much, whatever pressure compresses the inside") {
+    Parameters parameters;
+    parameters.size = {24, 24, 24};
+    VesicleType type;
+    type.area.constraint = NoConstraint{};
+    type.sigma = 0.01;
+    type.buoyancy = {0.0, 0.0, 1e-5};
+    parameters.types = {type};
+    VesicleParameters drop;
+    drop.radius = 7.0;
+    drop.centre = {12.0, 12.0, 12.0};
+    parameters.vesicles = {drop};
+    const auto engine = make_engine(parameters, 1);
+    run(*engine, 400);
+    const EngineState state = engine->save();
+    double momentum = 0.0;
+    for (int i = 0; i < direction_count; ++i)
+        for (const double g : state.populations[static_cast<std::size_t>(i)])
+            momentum += velocity(i, 2) * g;
+    const double pushed = 400.0 * 1e-5 * 4.0 / 3.0 * 3.14159 * 343.0;
+    CHECK(metrics_of(*engine).vz > 1e-5);
+    CHECK(std::abs(momentum) < 1e-6 * pushed);
 }

@@ -262,3 +262,38 @@ TEST_CASE("a vesicle beyond the box's end is refused, and one beside it is warne
     CHECK(all(make_plan(discocyte({walls, "vesicle_type.rbc.area.deflation=1.0001"})), Severity::error)
               .empty());
 }
+
+TEST_CASE("what pushes a fluid between walls is judged by the speed it comes to") {
+    const std::string walls = "boundary.z={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }";
+    const Plan plan = make_plan(discocyte({walls, "flow.body_force={ force = [0.5, 0, 0] }"}));
+    CHECK(says(all(plan, Severity::error), "flow.body_force is"));
+    const Plan weak = make_plan(discocyte({walls, "flow.body_force={ force = [1e-7, 0, 0] }"}));
+    CHECK(weak.flow.speed == Approx(1e-7 * 64.0 * 64.0 / (8.0 * 0.1666667)).epsilon(1e-6));
+    CHECK(all(weak, Severity::error).empty());
+}
+
+TEST_CASE("a vesicle too near to an inlet is refused at once") {
+    const std::string open = "boundary.x={ lower = { type = \"inlet\", velocity = [0.001, 0, 0] }, upper = { "
+                             "type = \"outlet\" } }";
+    const std::string text =
+        all(make_plan(discocyte({open, "vesicle[0].centre=[23, 32, 32]"})), Severity::error);
+    CHECK(says(text, "vesicle[0] and the box's end at x = 0 are 8.0 cells apart; expected at least 10.5"));
+}
+
+TEST_CASE("a vesicle that reaches an obstacle across the box's edge is refused") {
+    Case what = discocyte();
+    SolidVoxels solids(what.parameters.size);
+    for (int z = 0; z < 64; ++z)
+        for (int y = 0; y < 64; ++y)
+            for (int x = 60; x < 64; ++x)
+                solids.set({x, y, z});
+    ObstacleParameters obstacles;
+    obstacles.voxels = std::make_shared<const SolidVoxels>(std::move(solids));
+    what.parameters.obstacles = obstacles;
+    what.parameters.vesicles.front().centre = {10.0, 32.0, 32.0};
+    CHECK(says(all(make_plan(what), Severity::error), "vesicle[0] and the obstacles overlap"));
+    what.parameters.vesicles.front().centre = {30.0, 32.0, 32.0};
+    CHECK(all(make_plan(what), Severity::error).empty());
+    what.parameters.flow.poiseuille = PoiseuilleFlow{1e-7, {}, 1, {}};
+    CHECK(all(make_plan(what), Severity::error).empty()); // between the slab and itself
+}
