@@ -118,7 +118,8 @@ Digest Crew::digest(const std::filesystem::path& file, std::uint64_t offset, std
 int follow_orders(const Ranks& ranks) {
     CrewPost post(ranks);
     for (;;) {
-        const auto [order, number] = post.next();
+        const auto [next, number] = post.next();
+        const Order order = next; // clang 14 lets no lambda have a binding
         if (order == Order::end)
             return static_cast<int>(number);
         try {
