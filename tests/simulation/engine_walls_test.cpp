@@ -139,7 +139,7 @@ TEST_CASE("a vesicle pressed against a wall by its buoyancy keeps its mass and d
     parameters.vesicles = {vesicle};
     const auto engine = make_engine(parameters, 1);
     const double mass = colour_mass(*engine);
-    run(*engine, precision == Precision::double_precision ? 2000 : 500);
+    run(*engine, precision == Precision::double_precision ? 1500 : 300);
     REQUIRE_FALSE(engine->trouble());
     const double drift = precision == Precision::double_precision ? 1e-12 : 1e-5;
     CHECK(std::abs(colour_mass(*engine) / mass - 1.0) < drift);
