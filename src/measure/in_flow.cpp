@@ -61,7 +61,10 @@ double tank_treading_frequency(const VesicleSnapshot& vesicle, const ShearPlane&
 
 double particle_stress(const VesicleSnapshot& vesicle, const ShearPlane& plane, double outer_viscosity) {
     const Vec3<double> centre = centre_of_mass(vesicle);
-    const double excess = outer_viscosity * (vesicle.viscosity_ratio - 1.0);
+    // By parts: the viscosity's gradient times the velocity, whatever the viscosity does across the layer.
+    // Its inverse is linear in the fraction of red, whose own gradient is the cell's weight.
+    const double inner_viscosity = vesicle.viscosity_ratio * outer_viscosity;
+    const double slope = 1.0 / outer_viscosity - 1.0 / inner_viscosity;
     double sum = 0.0;
     for (const InterfaceCell& cell : vesicle.cells) {
         const Vec3<double> r = cell.position - centre;
@@ -69,8 +72,10 @@ double particle_stress(const VesicleSnapshot& vesicle, const ShearPlane& plane, 
             return dot(a, plane.flow) * dot(b, plane.gradient) + dot(a, plane.gradient) * dot(b, plane.flow);
         };
         sum -= 0.5 * both(cell.force, r);
-        if (cell.has_geometry && excess != 0.0)
-            sum += excess * cell.weight * cell.J * both(cell.u, cell.n);
+        if (cell.has_geometry && slope != 0.0) {
+            const double viscosity = 1.0 / (1.0 / outer_viscosity - 0.5 * (1.0 + cell.phi) * slope);
+            sum += viscosity * viscosity * slope * cell.weight * both(cell.u, cell.n);
+        }
     }
     return sum;
 }

@@ -12,9 +12,10 @@ namespace vesica {
 double tank_treading_frequency(const VesicleSnapshot& vesicle, const ShearPlane& plane);
 
 /// What a vesicle adds to the stress of a box, times the box's volume: the component in the shear plane of
-///   S = - int f x dA + eta (lambda - 1) int (u n + n u) dA,
-/// symmetrised, f the membrane's force on the fluid (Batchelor 1970; Kennedy, Pozrikidis & Skalak 1994).
-/// `outer_viscosity` is eta, dynamic.
+///   S = - int f x dV + int 2 (eta(x) - eta) E dV,
+/// symmetrised, f the membrane's force on the fluid and eta(x) the layer's own viscosity; for a sharp surface
+/// the second part is eta (lambda - 1) int (u n + n u) dA (Batchelor 1970; Kennedy, Pozrikidis & Skalak
+/// 1994). `outer_viscosity` is eta, dynamic.
 double particle_stress(const VesicleSnapshot& vesicle, const ShearPlane& plane, double outer_viscosity);
 
 /// The smallest distance between the membrane and a wall; infinite without walls.
