@@ -31,6 +31,20 @@ struct FlowTimes {
         return std::max(0.0, passed(start) - passed(stop));
     }
 
+    /// The sum of the strengths of all steps before this one.
+    double total(std::int64_t step) const {
+        const auto passed = [&](std::int64_t since) {
+            if (step <= since)
+                return 0.0;
+            const auto n = static_cast<double>(step - since);
+            const auto r = static_cast<double>(ramp);
+            if (n <= r)
+                return 0.5 * n * (n - 1.0) / r;
+            return n - r + (ramp > 0 ? 0.5 * (r - 1.0) : 0.0);
+        };
+        return passed(start) - passed(stop);
+    }
+
     friend bool operator==(const FlowTimes&, const FlowTimes&) = default;
 };
 
@@ -57,12 +71,17 @@ struct OpenEnds {
 };
 using AxisEnds = std::variant<PeriodicEnds, WallEnds, OpenEnds>;
 
-/// u = rate (x_gradient - middle) along `velocity`, driven by walls that move against each other.
+/// What drives a shear: walls that move against each other, or the box's own images that slide past it
+/// (Lees-Edwards).
+enum class ShearBy { walls, lees_edwards };
+
+/// u = rate (x_gradient - middle) along `velocity`.
 struct ShearFlow {
     double rate = 0.0; ///< 1/steps
     int velocity = 0;  ///< axis
     int gradient = 2;  ///< axis
     FlowTimes times;
+    ShearBy with = ShearBy::walls;
 
     friend bool operator==(const ShearFlow&, const ShearFlow&) = default;
 };

@@ -245,6 +245,11 @@ struct Parameters {
         return cells;
     }
 
+    /// The flow whose box slides past its own images, if there is one.
+    const ShearFlow* sliding() const {
+        return flow.shear && flow.shear->with == ShearBy::lees_edwards ? &*flow.shear : nullptr;
+    }
+
     friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 

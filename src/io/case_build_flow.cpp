@@ -135,6 +135,16 @@ void read_shear(const CaseValues& values, Parameters& parameters) {
             fmt::format("expected two different axes for velocity and gradient, which are both {}; try "
                         "gradient = \"{}\"",
                         axis_name(shear.gradient), axis_name((shear.velocity + 2) % 3)));
+    const bool slides = values.text("flow.shear.with") == "lees-edwards";
+    shear.with = slides ? ShearBy::lees_edwards : ShearBy::walls;
+    if (slides && parameters.is_bounded(shear.gradient))
+        values.refuse(
+            "flow.shear.with",
+            fmt::format(
+                "expected no [boundary.{}] with it: lees-edwards shears a box that is periodic across "
+                "the gradient, and walls there would stand in the way; try with = \"walls\" without "
+                "[boundary.{}], or remove [boundary.{}]",
+                axis_name(shear.gradient), axis_name(shear.gradient), axis_name(shear.gradient)));
     for (const int axis : {shear.gradient, shear.velocity})
         if (parameters.is_bounded(axis))
             values.refuse(
@@ -144,7 +154,8 @@ void read_shear(const CaseValues& values, Parameters& parameters) {
                       "removing one of the two"
                     : "expected no walls across the flow's own axis, along which flow.shear moves the "
                       "fluid; try removing them");
-    parameters.ends[static_cast<std::size_t>(shear.gradient)] = WallEnds{};
+    if (!slides)
+        parameters.ends[static_cast<std::size_t>(shear.gradient)] = WallEnds{};
     parameters.flow.shear = shear;
 }
 

@@ -134,9 +134,11 @@ std::vector<CaseKey> detail::flow_keys() {
     keys.push_back(
         {.path = "flow.shear.with",
          .kind = KeyKind::choice,
-         .meaning = "what drives it: walls at both ends of the gradient's axis, moving against each other",
+         .meaning =
+             "what drives it: walls at both ends of the gradient's axis, moving against each other, or, "
+             "without any walls, the box's own periodic images that slide past it",
          .default_value = "\"walls\"",
-         .choices = {"walls"}});
+         .choices = {"walls", "lees-edwards"}});
     add_times("flow.shear.", keys);
     keys.push_back({.path = "flow.poiseuille.mean_velocity",
                     .kind = KeyKind::number,

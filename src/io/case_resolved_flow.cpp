@@ -73,7 +73,7 @@ void detail::write_flow(Resolver& out, const FlowParameters& flow) {
         out.number("rate", flow.shear->rate);
         out.text("velocity", axis_name(flow.shear->velocity));
         out.text("gradient", axis_name(flow.shear->gradient));
-        out.text("with", "walls");
+        out.text("with", flow.shear->with == ShearBy::walls ? "walls" : "lees-edwards");
         write_times(out, flow.shear->times);
     }
     if (flow.poiseuille) {

@@ -20,9 +20,10 @@ Band::Band(const Block& block, const SolidCells* solids)
       parts_(halo_parts(block)),
       slot_of_tile_(static_cast<std::size_t>(grid_.tiles()), -1) {}
 
-void Band::rebuild(const std::vector<Seed>& core, const std::vector<ForeignSeed>& foreign) {
+void Band::rebuild(const std::vector<Seed>& core, const std::vector<ForeignSeed>& foreign, int slid) {
     clear();
-    growth_.grow(core, foreign);
+    slid_ = slid;
+    growth_.grow(core, foreign, slid);
     lay_out();
     growth_.forget();
 }
@@ -34,6 +35,9 @@ void Band::clear() {
     tiles_.clear();
     ghost_copies_.clear();
     part_cells_.clear();
+    slid_ghosts_.clear();
+    slid_places_.clear();
+    rim_levels_.clear();
     solid_cells_.clear();
     fluid_neighbours_.clear();
     for (int level = 0; level <= outermost; ++level) {
@@ -170,20 +174,97 @@ void Band::list_ghost_copies(const std::vector<std::int64_t>& members) {
 }
 
 void Band::list_part_cells() {
-    const auto for_each_cell = [&](const CellBox& box, const auto& body) {
+    const auto for_each_place = [](const CellBox& box, const auto& body) {
         for (int z = box.begin.z; z < box.begin.z + box.size.z; ++z)
             for (int y = box.begin.y; y < box.begin.y + box.size.y; ++y)
                 for (int x = box.begin.x; x < box.begin.x + box.size.x; ++x)
-                    if (growth_.has(outermost, {x, y, z}))
-                        body(Vec3<int>{x, y, z});
+                    body(Vec3<int>{x, y, z});
+    };
+    const auto for_each_cell = [&](const CellBox& box, const auto& body) {
+        for_each_place(box, [&](const Vec3<int>& cell) {
+            if (growth_.has(outermost, cell))
+                body(cell);
+        });
     };
     for (const HaloPart& part : parts_) {
         PartCells cells;
-        for_each_cell(part.rim,
+        const bool slides = block_.slides_at(part.link);
+        for_each_cell(slides ? home_cells(part.rim) : part.rim,
                       [&](const Vec3<int>& cell) { cells.rim.push_back(address_of(block_.home(cell))); });
-        for_each_cell(part.ghosts, [&](const Vec3<int>& cell) { cells.ghosts.push_back(address_of(cell)); });
+        for_each_cell(part.ghosts, [&](const Vec3<int>& cell) {
+            if (slides)
+                slid_places_.push_back({part_cells_.size(), block_.home(cell), address_of(cell)});
+            else
+                cells.ghosts.push_back(address_of(cell));
+        });
         part_cells_.push_back(std::move(cells));
+        rim_levels_.emplace_back();
+        if (slides)
+            for_each_place(home_cells(part.rim), [&](const Vec3<int>& cell) {
+                rim_levels_.back().push_back(static_cast<std::uint8_t>(lowest_level(cell)));
+            });
     }
+}
+
+/// Without the block's own ghosts.
+CellBox Band::home_cells(CellBox box) const {
+    for (int a = 0; a < 3; ++a)
+        if (!block_.divided[a]) {
+            box.begin[a] = 0;
+            box.size[a] = grid_.size()[a];
+        }
+    return box;
+}
+
+std::vector<std::uint8_t> Band::rim_cells(std::size_t part, const std::vector<std::uint8_t>& inside) const {
+    const CellBox box = home_cells(parts_[part].rim);
+    std::vector<std::uint8_t> cells = rim_levels_[part];
+    std::size_t at = 0;
+    for (int z = box.begin.z; z < box.begin.z + box.size.z; ++z)
+        for (int y = box.begin.y; y < box.begin.y + box.size.y; ++y)
+            for (int x = box.begin.x; x < box.begin.x + box.size.x; ++x, ++at) {
+                const std::int64_t cell = grid_.index(x, y, z);
+                if ((inside[static_cast<std::size_t>(cell / tile)] >> (cell % tile) & 1) != 0)
+                    cells[at] = static_cast<std::uint8_t>(cells[at] | red_side);
+            }
+    return cells;
+}
+
+/// Cells of the image have addresses of their own, behind all others, and ghosts know which they lie between.
+std::size_t Band::join(std::size_t index, std::span<const std::byte> rim) {
+    const HaloPart& part = parts_[index];
+    const int along = block_.slide->velocity;
+    const CellBox box = home_cells(part.ghosts);
+    const auto count = static_cast<std::size_t>(box.volume());
+    std::vector<std::int32_t> addresses;
+    for (const std::byte byte : rim.first(count)) {
+        const auto cell = std::to_integer<unsigned>(byte);
+        if ((cell & ~red_side) <= outermost) {
+            addresses.push_back(static_cast<std::int32_t>(compact_size_++));
+            part_cells_[index].ghosts.push_back(addresses.back());
+        } else {
+            addresses.push_back((cell & red_side) != 0 ? SlidGhost::pure_red : SlidGhost::pure_blue);
+        }
+    }
+    compact_size_ = (compact_size_ + tile - 1) / tile * tile;
+    // Below the lower face the image has moved back, and its cells lie farther on.
+    const int direction = -part.link[block_.slide->gradient];
+    const int length = grid_.size()[along];
+    for (const SlidPlace& place : slid_places_) {
+        if (place.part != index)
+            continue;
+        SlidGhost ghost{place.to, {}, {}};
+        for (int n = 0; n < Displacement::reads; ++n) {
+            Vec3<int> from = place.home;
+            from[along] = ((from[along] + direction * (slid_ + n - 1)) % length + length) % length;
+            const std::size_t cell = box.index_of(from);
+            ghost.from[static_cast<std::size_t>(n)] = addresses[cell];
+            ghost.level[static_cast<std::size_t>(n)] =
+                static_cast<std::uint8_t>(std::to_integer<unsigned>(rim[cell]) & ~red_side);
+        }
+        slid_ghosts_.push_back(ghost);
+    }
+    return count;
 }
 
 void Band::separate_rim() {
@@ -200,12 +281,6 @@ void Band::separate_rim() {
 }
 
 void Band::list_solid_cells() {
-    const auto lowest_level = [&](const Vec3<int>& cell) {
-        int level = 0;
-        while (level <= outermost && !growth_.has(level, cell))
-            ++level;
-        return level;
-    };
     for (const BandTile& t : tiles_) {
         const Vec3<int> first = grid_.tile_origin(t.tile);
         const unsigned solid = solids_->of_tile(t.tile) & grid_.interior_bits(first);
@@ -229,11 +304,12 @@ void Band::list_solid_cells() {
 }
 
 std::size_t Band::bytes() const {
-    std::size_t sum = slot_of_tile_.capacity() * sizeof(std::int32_t) + tiles_.capacity() * sizeof(BandTile) +
-                      ghost_copies_.capacity() * sizeof(GhostCopy) +
-                      occupied_.capacity() * sizeof(std::int64_t) + growth_.bytes() +
-                      solid_cells_.capacity() * sizeof(SolidCell) +
-                      fluid_neighbours_.capacity() * sizeof(FluidNeighbour);
+    std::size_t sum =
+        slot_of_tile_.capacity() * sizeof(std::int32_t) + tiles_.capacity() * sizeof(BandTile) +
+        ghost_copies_.capacity() * sizeof(GhostCopy) + occupied_.capacity() * sizeof(std::int64_t) +
+        growth_.bytes() + solid_cells_.capacity() * sizeof(SolidCell) +
+        slid_places_.capacity() * sizeof(SlidPlace) + slid_ghosts_.capacity() * sizeof(SlidGhost) +
+        fluid_neighbours_.capacity() * sizeof(FluidNeighbour);
     for (int level = 0; level <= outermost; ++level)
         sum += (of_level_[level].capacity() + rim_of_level_[level].capacity() +
                 inner_of_level_[level].capacity()) *

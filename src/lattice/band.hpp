@@ -3,9 +3,13 @@
 #include "lattice/band_growth.hpp"
 #include "lattice/block.hpp"
 #include "lattice/grid.hpp"
+#include "lattice/sliding_faces.hpp"
 #include "lattice/solid_cells.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vesica {
@@ -48,6 +52,16 @@ public:
         std::vector<std::int32_t> ghosts;
     };
 
+    /// A ghost cell beyond a sliding face: between cells of the image there.
+    struct SlidGhost {
+        static constexpr std::int32_t pure_blue = -1; ///< a cell outside the band
+        static constexpr std::int32_t pure_red = -2;
+
+        std::int32_t to = 0;
+        std::array<std::int32_t, Displacement::reads> from{};
+        std::array<std::uint8_t, Displacement::reads> level{}; ///< the lowest that cell belongs to
+    };
+
     /// A fluid cell beside a solid one.
     struct FluidNeighbour {
         std::int32_t address = 0;
@@ -68,7 +82,18 @@ public:
 
     /// Grows the band anew from its core. Seeds hold cells of the block, each tile at most once; with them
     /// the core of others, as far as it lies within BandGrowth::core_reach of the block.
-    void rebuild(const std::vector<Seed>& core, const std::vector<ForeignSeed>& foreign = {});
+    /// Where the box slides, `slid` are the whole cells that the images above have moved on; then join() has
+    /// to be called for each part that slides.
+    void rebuild(const std::vector<Seed>& core, const std::vector<ForeignSeed>& foreign = {}, int slid = 0);
+
+    /// What a neighbour beyond a sliding face must know of the cells along it: for the rim of that part, in
+    /// the order z, y, x of its home cells, the lowest level of each (one more than outermost outside the
+    /// band), and red_side with it on red's side. `inside` has a bit per cell of the grid's tiles.
+    std::vector<std::uint8_t> rim_cells(std::size_t part, const std::vector<std::uint8_t>& inside) const;
+    /// The rim of the neighbour at that part.
+    /// Returns how many of the bytes were its.
+    std::size_t join(std::size_t part, std::span<const std::byte> rim);
+    static constexpr unsigned red_side = 0x10;
 
     const Grid& grid() const { return grid_; }
 
@@ -77,7 +102,7 @@ public:
     /// Indices into tiles() of those that have cells in a level.
     const std::vector<std::int32_t>& of_level(int level) const { return of_level_[level]; }
     const std::vector<GhostCopy>& ghost_copies() const { return ghost_copies_; }
-    /// One per halo part.
+    /// One per halo part. What arrives through a sliding face are cells of the image there, not ghosts.
     const std::vector<PartCells>& part_cells() const { return part_cells_; }
     /// Like of_level: the tiles that hold cells of which other processes have ghosts, and the rest. Empty in
     /// a block that is the whole box.
@@ -95,6 +120,10 @@ public:
     const std::vector<SolidCell>& solid_cells() const { return solid_cells_; }
     const std::vector<FluidNeighbour>& fluid_neighbours() const { return fluid_neighbours_; }
 
+    const std::vector<SlidGhost>& slid_ghosts() const { return slid_ghosts_; }
+    const std::vector<HaloPart>& parts() const { return parts_; }
+    const Block& block() const { return block_; }
+
     /// Cells of all levels.
     std::int64_t cell_count() const { return cell_count_; }
     std::size_t bytes() const;
@@ -105,9 +134,17 @@ private:
     std::vector<std::int64_t> tiles_to_address() const;
     void list_tiles(const std::vector<std::int64_t>& members);
     void link(BandTile& tile) const;
+    /// That the cell belongs to, while the band is being laid out; one more than outermost outside.
+    int lowest_level(const Vec3<int>& cell) const {
+        int level = 0;
+        while (level <= outermost && !growth_.has(level, cell))
+            ++level;
+        return level;
+    }
     static bool follows(const BandTile& first, const BandTile& second);
     void list_ghost_copies(const std::vector<std::int64_t>& members);
     void list_part_cells();
+    CellBox home_cells(CellBox box) const;
     void separate_rim();
     void list_solid_cells();
 
@@ -134,6 +171,16 @@ private:
     std::vector<std::int32_t> inner_of_level_[BandTile::levels];
     std::vector<GhostCopy> ghost_copies_;
     std::vector<PartCells> part_cells_;
+    /// A ghost beyond a sliding face before it is known what lies there.
+    struct SlidPlace {
+        std::size_t part = 0;
+        Vec3<int> home{};
+        std::int32_t to = 0;
+    };
+    std::vector<SlidPlace> slid_places_;
+    std::vector<std::vector<std::uint8_t>> rim_levels_; ///< per part, of those that slide: of its home cells
+    std::vector<SlidGhost> slid_ghosts_;
+    int slid_ = 0;
     std::vector<SolidCell> solid_cells_;
     std::vector<FluidNeighbour> fluid_neighbours_;
     std::vector<std::int32_t> slot_of_tile_;

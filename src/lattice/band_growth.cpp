@@ -1,6 +1,9 @@
 #include "lattice/band_growth.hpp"
 
+#include "lattice/sliding_faces.hpp"
+
 #include <algorithm>
+#include <utility>
 
 namespace vesica {
 
@@ -37,14 +40,21 @@ BandGrowth::BandGrowth(const Block& block)
         bits.assign(static_cast<std::size_t>(wide_.tiles()), 0);
 }
 
-void BandGrowth::grow(const std::vector<BandSeed>& core, const std::vector<ForeignSeed>& foreign) {
+void BandGrowth::grow(const std::vector<BandSeed>& core, const std::vector<ForeignSeed>& foreign, int slid) {
     const Grid own(block_.own.size);
-    for (const BandSeed& seed : core)
-        mark(0, tile_at(own.tile_origin(seed.tile)), seed.bits);
+    for (const BandSeed& seed : core) {
+        const Vec3<int> first = own.tile_origin(seed.tile);
+        mark(0, tile_at(first), seed.bits);
+        for (int k = 0; k < tile; ++k) {
+            const Vec3<int> cell = first + Vec3<int>{k, 0, 0};
+            if ((seed.bits >> k & 1) != 0 && near_sliding_face(cell + block_.own.begin))
+                mark_beside(cell + margin_);
+        }
+    }
     for (const ForeignSeed& seed : foreign)
         for (int k = 0; k < tile; ++k)
             if ((seed.bits >> k & 1) != 0)
-                mark_images({seed.first.x + k, seed.first.y, seed.first.z});
+                mark_images({seed.first.x + k, seed.first.y, seed.first.z}, slid);
     for (int level = 0; level < outermost; ++level)
         grow_level(level);
 }
@@ -68,20 +78,59 @@ void BandGrowth::mark_cell(int level, std::int64_t row_tile, int x) {
     mark(level, row_tile + 1 + x / tile, static_cast<std::uint8_t>(1u << (x % tile)));
 }
 
-/// Every image of a cell of the whole box that lies in the block or its margin.
-void BandGrowth::mark_images(const Vec3<int>& cell) {
-    Vec3<int> places[3]; // along each axis, by image
-    int counts[3] = {};
+bool BandGrowth::near_sliding_face(const Vec3<int>& cell) const {
+    if (!block_.slide)
+        return false;
+    const int place = cell[block_.slide->gradient];
+    return place < core_reach || place >= block_.box[block_.slide->gradient] - core_reach;
+}
+
+/// A value beyond a sliding face is taken from cells beside the one that lies nearest: a core there has to
+/// have as much around them as around itself.
+void BandGrowth::mark_beside(Vec3<int> place) {
+    constexpr int farthest = Displacement::reads / 2;
+    const int along = block_.slide->velocity;
+    const int length = wide_.size()[along];
+    const int middle = place[along];
+    for (int away = -farthest; away <= farthest; ++away) {
+        place[along] = ((middle + away) % length + length) % length;
+        mark_cell(0, wide_.index(-tile, place.y, place.z) / tile, place.x);
+    }
+}
+
+/// Every image of a cell of the whole box that lies in the block or its margin; beyond a sliding face all
+/// places that a value there may be taken from are as good as the cell itself.
+void BandGrowth::mark_images(const Vec3<int>& cell, int slid) {
+    std::vector<std::pair<int, int>> places[3]; // along each axis: place, image
     for (int a = 0; a < 3; ++a)
         for (int image = -1; image <= 1; ++image) {
             const int place = cell[a] - block_.own.begin[a] + image * block_.box[a] + margin_[a];
             if (place >= 0 && place < wide_.size()[a] && (block_.divided[a] || image == 0))
-                places[counts[a]++][a] = place;
+                places[a].emplace_back(place, image);
         }
-    for (int k = 0; k < counts[2]; ++k)
-        for (int j = 0; j < counts[1]; ++j)
-            for (int i = 0; i < counts[0]; ++i)
-                mark_cell(0, wide_.index(-tile, places[j].y, places[k].z) / tile, places[i].x);
+    const auto mark_at = [&](const Vec3<int>& place) {
+        mark_cell(0, wide_.index(-tile, place.y, place.z) / tile, place.x);
+    };
+    for (const auto& [z, image_z] : places[2])
+        for (const auto& [y, image_y] : places[1])
+            for (const auto& [x, image_x] : places[0]) {
+                const Vec3<int> image{image_x, image_y, image_z};
+                Vec3<int> place{x, y, z};
+                const int slides = block_.slide ? image[block_.slide->gradient] : 0;
+                if (slides == 0) {
+                    mark_at(place);
+                    if (near_sliding_face(cell))
+                        mark_beside(place);
+                    continue;
+                }
+                const int along = block_.slide->velocity;
+                const int length = wide_.size()[along];
+                const int from = place[along];
+                for (int n = 0; n < Displacement::reads; ++n) {
+                    place[along] = ((from + slides * (slid + n - 1)) % length + length) % length;
+                    mark_at(place);
+                }
+            }
 }
 
 /// Marks bits in a row at level; with `sideways` also their neighbours along x, across the periodic face if

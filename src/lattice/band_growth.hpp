@@ -36,7 +36,8 @@ public:
     explicit BandGrowth(const Block& block);
 
     /// Seeds hold cells of the block, each tile at most once.
-    void grow(const std::vector<BandSeed>& core, const std::vector<ForeignSeed>& foreign);
+    /// Where the box slides, `slid` are the whole cells that the images above have moved on.
+    void grow(const std::vector<BandSeed>& core, const std::vector<ForeignSeed>& foreign, int slid = 0);
     void forget();
 
     /// Cells of the level in the tile that begins at this place of the block or of its ghosts: a multiple of
@@ -63,7 +64,9 @@ public:
 private:
     void mark(int level, std::int64_t tile, std::uint8_t bits);
     void mark_cell(int level, std::int64_t row_tile, int x);
-    void mark_images(const Vec3<int>& cell);
+    void mark_images(const Vec3<int>& cell, int slid);
+    bool near_sliding_face(const Vec3<int>& cell) const;
+    void mark_beside(Vec3<int> place);
     void grow_level(int level);
     void spread(std::int64_t row_tile, int tile_in_row, std::uint8_t bits, bool sideways, int level);
 

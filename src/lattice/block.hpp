@@ -3,20 +3,41 @@
 #include "core/cell_box.hpp"
 #include "lattice/velocity_set.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace vesica {
 
+/// A box whose images above it along one axis slide past it along another (Lees-Edwards).
+struct Slide {
+    int gradient = 2; ///< axis
+    int velocity = 0; ///< axis; no block is cut across it
+
+    friend bool operator==(const Slide&, const Slide&) = default;
+};
+
 /// The part of the periodic box that one process works on. Along a divided axis its neighbours belong to
 /// other processes; along the others the block is as long as the box, and its own neighbour.
+/// Across sliding faces the block meets images in messages only, even its own: the gradient's axis counts as
+/// divided.
 struct Block {
     Vec3<int> box{}; ///< size of the whole
     CellBox own{};   ///< this part of it
     Vec3<bool> divided{};
+    std::optional<Slide> slide{};
 
-    static Block whole(const Vec3<int>& box) { return {box, {{}, box}, {}}; }
+    static Block whole(const Vec3<int>& box) { return {box, {{}, box}, {}, {}}; }
 
     bool is_whole() const { return !divided.x && !divided.y && !divided.z; }
+
+    /// Whether what lies beyond the end of an axis, the lower one or the upper one, slides.
+    bool slides_at(int axis, bool upper) const {
+        return slide && axis == slide->gradient &&
+               (upper ? own.begin[axis] + own.size[axis] == box[axis] : own.begin[axis] == 0);
+    }
+    bool slides_at(const Vec3<int>& link) const {
+        return slide && link[slide->gradient] != 0 && slides_at(slide->gradient, link[slide->gradient] > 0);
+    }
 
     /// Where a cell next to the block, in its own coordinates, lies in it: along undivided axes the block is
     /// its own neighbour.

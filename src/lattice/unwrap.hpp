@@ -1,28 +1,46 @@
 #pragma once
 
 #include "core/vec3.hpp"
+#include "lattice/block.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace vesica {
 
-/// Unwraps positions; along an axis of size 0, which is not periodic, they stay. Each coordinate is moved by
-/// whole boxes to lie within half a box of a reference point.
+/// Unwraps positions: each is moved by whole boxes to lie within half a box of a reference point along every
+/// axis. Along an axis of size 0, which is not periodic, it stays. Where the box slides, a box upwards is
+/// also the images' displacement along.
 class Unwrap {
 public:
-    Unwrap(const Vec3<int>& size, const Vec3<double>& reference) : size_(size), reference_(reference) {}
+    Unwrap(const Vec3<int>& size, const Vec3<double>& reference, const std::optional<Slide>& slide = {},
+           double displacement = 0.0)
+        : size_(size), reference_(reference), slide_(slide), displacement_(displacement) {}
 
-    /// Whole boxes to add to cell x of an axis, in cells.
-    int shift(int axis, int cell) const {
-        if (size_[axis] == 0)
-            return 0;
-        const double away = (cell + 0.5 - reference_[axis]) / size_[axis];
-        return -static_cast<int>(std::lround(away)) * size_[axis];
+    /// Boxes upwards, across the sliding faces.
+    double boxes_slid(const Vec3<int>& cell) const { return boxes(slide_->gradient, cell, 0.0); }
+
+    /// What to add to the place of a cell, in cells.
+    Vec3<double> shift(const Vec3<int>& cell) const {
+        Vec3<double> shift{};
+        if (slide_)
+            shift[slide_->velocity] = boxes(slide_->gradient, cell, 0.0) * displacement_;
+        for (int a = 0; a < 3; ++a)
+            shift[a] += boxes(a, cell, shift[a]) * size_[a];
+        return shift;
     }
 
 private:
+    double boxes(int axis, const Vec3<int>& cell, double shifted) const {
+        if (size_[axis] == 0)
+            return 0.0;
+        return -std::round((cell[axis] + 0.5 + shifted - reference_[axis]) / size_[axis]);
+    }
+
     Vec3<int> size_;
     Vec3<double> reference_;
+    std::optional<Slide> slide_;
+    double displacement_;
 };
 
 } // namespace vesica

@@ -35,12 +35,13 @@ struct InterfaceCell {
 };
 
 /// A run of cells along x that are purely inside (phi = 1), unwrapped like the cells above:
-/// centres (begin + 1/2 + k, y + 1/2, z + 1/2), k = 0 .. count - 1.
+/// centres (begin + 1/2 + k, y + 1/2, z + 1/2) + rest, k = 0 .. count - 1.
 struct InsideSpan {
     int begin = 0;
     int count = 0;
     int y = 0;
     int z = 0;
+    Vec3<double> rest{}; ///< parts of a cell, of what lies beyond a sliding face
 };
 
 /// One vesicle at one instant: everything the metrics need.

@@ -33,7 +33,8 @@ Moments raw_moments(const VesicleSnapshot& vesicle, const Vec3<double>& origin) 
     for (const InterfaceCell& cell : vesicle.cells)
         add(0.5 * (1.0 + cell.phi), cell.position - origin);
     for (const InsideSpan& span : vesicle.inside) {
-        const Vec3<double> start = Vec3<double>{span.begin + 0.5, span.y + 0.5, span.z + 0.5} - origin;
+        const Vec3<double> start =
+            Vec3<double>{span.begin + 0.5, span.y + 0.5, span.z + 0.5} + span.rest - origin;
         for (int k = 0; k < span.count; ++k)
             add(1.0, {start.x + k, start.y, start.z});
     }

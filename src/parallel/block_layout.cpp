@@ -51,8 +51,9 @@ std::vector<int> cuts_below(const std::vector<double>& sums, int blocks, double 
 
 } // namespace
 
-BlockLayout::BlockLayout(const Vec3<int>& box, const Vec3<int>& blocks) : box_(box) {
-    assert(fits(box, blocks));
+BlockLayout::BlockLayout(const Vec3<int>& box, const Vec3<int>& blocks, const std::optional<Slide>& slide)
+    : box_(box), slide_(slide) {
+    assert(fits(box, blocks, slide));
     for (int a = 0; a < 3; ++a)
         for (int k = 0; k <= blocks[a]; ++k)
             cuts_[a].push_back(static_cast<int>(std::int64_t{box[a]} * k / blocks[a]));
@@ -71,11 +72,12 @@ int BlockLayout::count() const {
 Block BlockLayout::block(const Vec3<int>& place) const {
     Block block;
     block.box = box_;
+    block.slide = slide_;
     const Vec3<int> n = blocks();
     for (int a = 0; a < 3; ++a) {
         block.own.begin[a] = cut(a, place[a]);
         block.own.size[a] = cut(a, place[a] + 1) - cut(a, place[a]);
-        block.divided[a] = n[a] > 1;
+        block.divided[a] = n[a] > 1 || (slide_ && slide_->gradient == a);
     }
     return block;
 }
@@ -102,14 +104,16 @@ void BlockLayout::balance(int axis, const std::vector<double>& weight) {
         cuts_[axis] = std::move(best);
 }
 
-bool fits(const Vec3<int>& box, const Vec3<int>& blocks) {
+bool fits(const Vec3<int>& box, const Vec3<int>& blocks, const std::optional<Slide>& slide) {
+    if (slide && blocks[slide->velocity] != 1)
+        return false;
     for (int a = 0; a < 3; ++a)
         if (blocks[a] < 1 || (blocks[a] > 1 && box[a] / blocks[a] < narrowest))
             return false;
     return true;
 }
 
-std::optional<Vec3<int>> choose_blocks(const Vec3<int>& box, int count) {
+std::optional<Vec3<int>> choose_blocks(const Vec3<int>& box, int count, const std::optional<Slide>& slide) {
     std::optional<Vec3<int>> best;
     double least = std::numeric_limits<double>::max();
     const double volume = 1.0 * box.x * box.y * box.z;
@@ -120,7 +124,7 @@ std::optional<Vec3<int>> choose_blocks(const Vec3<int>& box, int count) {
             if (count / z % y != 0)
                 continue;
             const Vec3<int> blocks{count / z / y, y, z};
-            if (!fits(box, blocks))
+            if (!fits(box, blocks, slide))
                 continue;
             double faces = 0.0; // cells on the faces of one block, by the whole box
             for (int a = 0; a < 3; ++a)
@@ -135,8 +139,8 @@ std::optional<Vec3<int>> choose_blocks(const Vec3<int>& box, int count) {
     return best;
 }
 
-int most_blocks(const Vec3<int>& box, int count) {
-    while (count > 1 && !choose_blocks(box, count))
+int most_blocks(const Vec3<int>& box, int count, const std::optional<Slide>& slide) {
+    while (count > 1 && !choose_blocks(box, count, slide))
         --count;
     return count;
 }

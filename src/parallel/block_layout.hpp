@@ -18,7 +18,7 @@ public:
     BlockLayout() = default;
     /// Slabs of equal width, as far as the cells allow. Each must be `narrowest` at least, where an axis is
     /// cut at all.
-    BlockLayout(const Vec3<int>& box, const Vec3<int>& blocks);
+    BlockLayout(const Vec3<int>& box, const Vec3<int>& blocks, const std::optional<Slide>& slide = {});
 
     const Vec3<int>& box() const { return box_; }
     /// Along each axis.
@@ -35,17 +35,19 @@ public:
 
 private:
     Vec3<int> box_{};
+    std::optional<Slide> slide_;
     std::vector<int> cuts_[3];
 };
 
-/// Whether so many blocks fit along each axis of the box.
-bool fits(const Vec3<int>& box, const Vec3<int>& blocks);
+/// Whether so many blocks fit along each axis of the box; a sliding box has one along its velocity.
+bool fits(const Vec3<int>& box, const Vec3<int>& blocks, const std::optional<Slide>& slide = {});
 
 /// The blocks along each axis, `count` in all, whose faces are the cheapest to exchange; nothing if no way of
 /// cutting leaves blocks wide enough. Faces across x count twice: their cells lie apart in memory.
-std::optional<Vec3<int>> choose_blocks(const Vec3<int>& box, int count);
+std::optional<Vec3<int>> choose_blocks(const Vec3<int>& box, int count,
+                                       const std::optional<Slide>& slide = {});
 
 /// The largest number up to `count` that choose_blocks can serve.
-int most_blocks(const Vec3<int>& box, int count);
+int most_blocks(const Vec3<int>& box, int count, const std::optional<Slide>& slide = {});
 
 } // namespace vesica

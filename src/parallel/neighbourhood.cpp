@@ -8,12 +8,14 @@
 #include <chrono>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace vesica {
 
+/// Without a group it has one node, whose messages to itself are copied.
 struct Neighbourhood::Graph {
-    Ranks::Communicator group;
+    std::optional<Ranks::Communicator> group;
 };
 
 struct Messages::Request {
@@ -53,7 +55,10 @@ int rank_at(MPI_Comm grid, const Vec3<int>& place) {
 Neighbourhood::Neighbourhood(const Ranks& ranks, const BlockLayout& layout) : ranks_(ranks) {
     assert(ranks.count() == layout.count());
     if (ranks.count() == 1) {
-        block_ = Block::whole(layout.box());
+        block_ = layout.block({});
+        parts_ = halo_parts(block_);
+        if (!parts_.empty())
+            meet_oneself();
         return;
     }
     const Vec3<int> blocks = layout.blocks();
@@ -89,6 +94,17 @@ Neighbourhood::Neighbourhood(const Ranks& ranks, const BlockLayout& layout) : ra
     make_graphs(grid);
 }
 
+void Neighbourhood::meet_oneself() {
+    Neighbour self{ranks_.rank(), block_, {}, {}};
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+        self.incoming.push_back(part);
+        self.outgoing.push_back(parts_.size() - 1 - part);
+    }
+    neighbours_.push_back(std::move(self));
+    linked_count_ = 1;
+    linked_ = all_ = std::make_shared<Graph>();
+}
+
 void Neighbourhood::make_graphs(const Ranks::Communicator& grid) {
     const auto graph_of_first = [&](std::size_t count) {
         std::vector<int> ranks;
@@ -98,7 +114,9 @@ void Neighbourhood::make_graphs(const Ranks::Communicator& grid) {
         MPI_Comm graph = MPI_COMM_NULL;
         MPI_Dist_graph_create_adjacent(grid.handle, degree, ranks.data(), MPI_UNWEIGHTED, degree,
                                        ranks.data(), MPI_UNWEIGHTED, MPI_INFO_NULL, 0, &graph);
-        return std::shared_ptr<Graph>(new Graph{Ranks::Communicator(graph)});
+        auto made = std::make_shared<Graph>();
+        made->group.emplace(graph);
+        return made;
     };
     const auto corner = std::find_if(neighbours_.begin(), neighbours_.end(),
                                      [](const Neighbour& neighbour) { return neighbour.outgoing.empty(); });
@@ -117,8 +135,11 @@ Neighbourhood::exchange(const std::vector<std::vector<std::byte>>& outgoing) con
     for (const auto& message : outgoing)
         lengths.push_back(message.size());
     std::vector<std::uint64_t> lengths_coming(lengths.size());
-    MPI_Neighbor_alltoall(lengths.data(), 1, MPI_UINT64_T, lengths_coming.data(), 1, MPI_UINT64_T,
-                          all_->group.handle);
+    if (all_->group)
+        MPI_Neighbor_alltoall(lengths.data(), 1, MPI_UINT64_T, lengths_coming.data(), 1, MPI_UINT64_T,
+                              all_->group->handle);
+    else
+        lengths_coming = lengths;
     Messages messages(all_);
     messages.resize(std::vector<std::size_t>(lengths.begin(), lengths.end()),
                     std::vector<std::size_t>(lengths_coming.begin(), lengths_coming.end()));
@@ -162,9 +183,13 @@ void Messages::resize(std::span<const std::size_t> outgoing, std::span<const std
 void Messages::start() {
     if (!graph_)
         return;
+    if (!graph_->group) {
+        std::copy(outgoing_.bytes.begin(), outgoing_.bytes.end(), incoming_.bytes.begin());
+        return;
+    }
     MPI_Ineighbor_alltoallv(outgoing_.bytes.data(), outgoing_.counts.data(), outgoing_.offsets.data(),
                             MPI_BYTE, incoming_.bytes.data(), incoming_.counts.data(),
-                            incoming_.offsets.data(), MPI_BYTE, graph_->group.handle, &request_->handle);
+                            incoming_.offsets.data(), MPI_BYTE, graph_->group->handle, &request_->handle);
     for (const int count : outgoing_.counts) {
         messages_sent_ += count > 0 ? 1 : 0;
         bytes_sent_ += count;
@@ -173,12 +198,12 @@ void Messages::start() {
 
 void Messages::progress() {
     int done = 0;
-    if (graph_)
+    if (graph_ && graph_->group)
         MPI_Test(&request_->handle, &done, MPI_STATUS_IGNORE);
 }
 
 void Messages::finish() {
-    if (!graph_)
+    if (!graph_ || !graph_->group)
         return;
     const auto begin = std::chrono::steady_clock::now();
     MPI_Wait(&request_->handle, MPI_STATUS_IGNORE);

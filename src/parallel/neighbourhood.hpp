@@ -13,7 +13,8 @@ namespace vesica {
 
 /// The blocks around one's own, corner to corner, and the ranks that hold them. Ranks lie on MPI's Cartesian
 /// topology, x fastest; each distinct neighbour is one node of a graph on top of it, so that one message goes
-/// each way whatever the number of faces and edges two blocks share.
+/// each way whatever the number of faces and edges two blocks share. Across sliding faces a block may be its
+/// own neighbour.
 class Neighbourhood {
 public:
     struct Neighbour {
@@ -47,6 +48,7 @@ private:
     friend class Messages;
     struct Graph;
 
+    void meet_oneself();
     void make_graphs(const Ranks::Communicator& grid);
 
     Ranks ranks_;
@@ -54,7 +56,7 @@ private:
     std::vector<HaloPart> parts_;
     std::vector<Neighbour> neighbours_;
     std::size_t linked_count_ = 0;
-    std::shared_ptr<Graph> linked_; ///< across faces and edges; null when alone
+    std::shared_ptr<Graph> linked_; ///< across faces and edges; null without neighbours
     std::shared_ptr<Graph> all_;    ///< with the corners
 };
 

@@ -39,7 +39,14 @@ std::vector<double> band_cells(const std::vector<std::uint64_t>& core) {
 
 } // namespace
 
-BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks) {
+std::optional<Slide> slide_of(const Parameters& parameters) {
+    if (const ShearFlow* shear = parameters.sliding())
+        return Slide{shear->gradient, shear->velocity};
+    return {};
+}
+
+BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks,
+                       const std::optional<Slide>& slide) {
     const std::string size = fmt::format("{} x {} x {}", box.x, box.y, box.z);
     if (blocks) {
         const std::int64_t wanted = std::int64_t{blocks->x} * blocks->y * blocks->z;
@@ -48,19 +55,23 @@ BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3
             throw InputError(fmt::format("{}, {} blocks in all; expected one for each of the {} ranks; try "
                                          "without it, or mpirun -n {}",
                                          given, wanted, ranks, wanted));
+        if (slide && (*blocks)[slide->velocity] != 1)
+            throw InputError(fmt::format("{}; expected one block along {}, along which flow.shear with "
+                                         "lees-edwards moves the box's images; try without it",
+                                         given, "xyz"[slide->velocity]));
         if (!fits(box, *blocks))
             throw InputError(fmt::format("{}; expected blocks of at least {} cells along each axis that is "
                                          "cut, in a box of {}; try without it",
                                          given, BlockLayout::narrowest, size));
-        return {box, *blocks};
+        return {box, *blocks, slide};
     }
-    const std::optional<Vec3<int>> chosen = choose_blocks(box, ranks);
+    const std::optional<Vec3<int>> chosen = choose_blocks(box, ranks, slide);
     if (!chosen)
         throw InputError(
             fmt::format("lattice.size is {}; expected a box that {} ranks can share in blocks of "
                         "at least {} cells along each axis; try mpirun -n {}",
-                        size, ranks, BlockLayout::narrowest, most_blocks(box, ranks)));
-    return {box, *chosen};
+                        size, ranks, BlockLayout::narrowest, most_blocks(box, ranks, slide)));
+    return {box, *chosen, slide};
 }
 
 PlaneCounts core_of_case(const Parameters& parameters, const Block& block, int threads) {

@@ -16,7 +16,11 @@ enum class Balance { cells, interface };
 
 /// The blocks of so many ranks: those given, or the cheapest to exchange. Throws InputError where the box
 /// cannot be cut so.
-BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks);
+BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3<int>>& blocks,
+                       const std::optional<Slide>& slide = {});
+
+/// The slide of a case's box.
+std::optional<Slide> slide_of(const Parameters& parameters);
 
 /// Core cells of the interfaces in each plane of the whole box, by axis.
 using PlaneCounts = std::array<std::vector<std::uint64_t>, 3>;

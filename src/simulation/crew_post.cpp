@@ -97,7 +97,8 @@ void CrewPost::build(const std::string& case_text, const std::string& name, cons
     const Case what = agreed(ranks_, [&] { return read_case_text(text, source); });
     BlockLayout layout = agreed(ranks_, [&] {
         return layout_for(what.parameters.lattice(), ranks_.count(),
-                          plain.blocks.x > 0 ? std::optional(plain.blocks) : std::nullopt);
+                          plain.blocks.x > 0 ? std::optional(plain.blocks) : std::nullopt,
+                          slide_of(what.parameters));
     });
     if (plain.balance == Balance::interface && !what.parameters.vesicles.empty())
         layout = balanced_layout(what.parameters, layout, checkpoint, threads);

@@ -2,6 +2,7 @@
 
 #include "core/input_error.hpp"
 #include "parallel/agreement.hpp"
+#include "simulation/block_plan.hpp"
 #include "simulation/engine_entries.hpp"
 #include "simulation/instruction_set.hpp"
 
@@ -64,7 +65,8 @@ const std::vector<std::string>& field_names() {
 
 std::unique_ptr<Engine> make_engine(const Parameters& parameters, int threads,
                                     std::string_view instruction_set) {
-    return make_engine(parameters, threads, std::make_shared<const Neighbourhood>(parameters.lattice()),
+    const BlockLayout alone(parameters.lattice(), {1, 1, 1}, slide_of(parameters));
+    return make_engine(parameters, threads, std::make_shared<const Neighbourhood>(Ranks(), alone),
                        instruction_set);
 }
 

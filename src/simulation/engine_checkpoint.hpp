@@ -107,6 +107,7 @@ void LatticeEngine<Real>::load(const EngineState& state) {
     step_ = state.step;
     streaming_ = Streaming::arrived;
     remember_walls();
+    slide_layer();
     std::vector<std::uint8_t> core(layer_.inside().size(), 0);
     std::vector<std::uint8_t> inside(layer_.inside().size(), 0);
     std::vector<std::size_t> canonical(static_cast<std::size_t>(grid_.cells()), 0);

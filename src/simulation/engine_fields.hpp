@@ -244,4 +244,16 @@ std::optional<Trouble> LatticeEngine<Real>::trouble() const {
     return std::nullopt;
 }
 
+template <class Real>
+RankTraffic LatticeEngine<Real>::traffic() const {
+    RankTraffic traffic;
+    traffic.band_bytes = layer_.messages().bytes_sent();
+    traffic.band_messages = layer_.messages().messages_sent();
+    if (others_) {
+        traffic.population_bytes = others_->messages().bytes_sent();
+        traffic.population_messages = others_->messages().messages_sent();
+    }
+    return traffic;
+}
+
 } // namespace vesica

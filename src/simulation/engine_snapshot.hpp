@@ -42,38 +42,66 @@ std::vector<T> gathered_list(const Ranks& ranks, std::vector<T> own, const Less&
 
 } // namespace detail
 
+namespace detail {
+
+/// A mean of positions that counts a box's periodic images as one: each adds its direction round the box.
+class CircularMean {
+public:
+    explicit CircularMean(double period) : turn_(2.0 * 3.14159265358979323846 / period) {}
+
+    void add(double place, double count) {
+        sine_ += count * std::sin(turn_ * place);
+        cosine_ += count * std::cos(turn_ * place);
+    }
+    double value() const {
+        const double angle = std::atan2(sine_, cosine_) / turn_;
+        return angle < 0.0 ? angle + 2.0 * 3.14159265358979323846 / turn_ : angle;
+    }
+
+private:
+    double turn_;
+    double sine_ = 0.0;
+    double cosine_ = 0.0;
+};
+
+} // namespace detail
+
 /// A point near the vesicle's middle: the circular mean of the core's cells, so that periodic images do not
 /// matter. They are counted plane by plane: the same bits however the box is shared out.
 template <class Real>
 Vec3<double> LatticeEngine<Real>::middle() const {
     const Vec3<int> box = block_.box;
-    std::vector<std::uint64_t> counts(static_cast<std::size_t>(box.x + box.y + box.z), 0);
-    const auto count = [&](int axis, int place) {
-        const int first = axis == 0 ? 0 : axis == 1 ? box.x : box.x + box.y;
-        ++counts[static_cast<std::size_t>(first + place)];
-    };
-    for (const BandTile& t : layer_.band().tiles())
-        for (int k = 0; k < tile_width; ++k)
-            if ((t.bits[0] >> k & 1) != 0) {
-                const Vec3<int> place = grid_.tile_origin(t.tile) + block_.own.begin;
-                count(0, place.x + k);
-                count(1, place.y);
-                count(2, place.z);
-            }
-    ranks().sum(counts);
-    Vec3<double> middle;
-    auto planes = counts.begin();
-    for (int a = 0; a < 3; ++a) {
-        const double turn = 2 * pi / box[a];
-        double sine = 0.0;
-        double cosine = 0.0;
-        for (int place = 0; place < box[a]; ++place) {
-            const auto cells = static_cast<double>(*planes++);
-            sine += cells * std::sin(turn * (place + 0.5));
-            cosine += cells * std::cos(turn * (place + 0.5));
+    const auto mean = [&](int axis, const auto& image_of) {
+        // Images that have slid are counted apart: below, home, above.
+        const auto length = static_cast<std::size_t>(box[axis]);
+        std::vector<std::uint64_t> counts(3 * length, 0);
+        for (const BandTile& t : layer_.band().tiles())
+            for (int k = 0; k < tile_width; ++k)
+                if ((t.bits[0] >> k & 1) != 0) {
+                    const Vec3<int> cell = grid_.tile_origin(t.tile) + block_.own.begin + Vec3<int>{k, 0, 0};
+                    ++counts[static_cast<std::size_t>(1 + image_of(cell)) * length +
+                             static_cast<std::size_t>(cell[axis])];
+                }
+        ranks().sum(counts);
+        const double slid = block_.slide ? setup_.drive.displacement(step_) : 0.0;
+        detail::CircularMean result(box[axis]);
+        for (std::size_t k = 0; k < counts.size(); ++k) {
+            const std::size_t image = k / length;
+            result.add(static_cast<double>(k % length) + 0.5 + (static_cast<double>(image) - 1.0) * slid,
+                       static_cast<double>(counts[k]));
         }
-        const double angle = std::atan2(sine, cosine);
-        middle[a] = (angle < 0.0 ? angle + 2 * pi : angle) / turn;
+        return result.value();
+    };
+    const auto home = [](const Vec3<int>&) {
+        return 0;
+    };
+    Vec3<double> middle{mean(0, home), mean(1, home), mean(2, home)};
+    if (block_.slide) {
+        const int across = block_.slide->gradient;
+        middle[block_.slide->velocity] = mean(block_.slide->velocity, [&](const Vec3<int>& cell) {
+            const double away = (cell[across] + 0.5 - middle[across]) / box[across];
+            return -static_cast<int>(std::lround(away));
+        });
     }
     return middle;
 }
@@ -177,6 +205,10 @@ ColourSums LatticeEngine<Real>::colour_sums(const std::vector<InterfaceCell>& ce
 
 namespace detail {
 
+inline Vec3<double> rest_of(const Vec3<double>& shift) {
+    return {shift.x - std::floor(shift.x), shift.y - std::floor(shift.y), shift.z - std::floor(shift.z)};
+}
+
 /// In one piece: runs end where their periodic image changes, not where a block does.
 inline std::vector<InsideSpan> unwrapped(const std::vector<InsideSpan>& home, const Unwrap& unwrap) {
     std::vector<InsideSpan> spans;
@@ -184,12 +216,14 @@ inline std::vector<InsideSpan> unwrapped(const std::vector<InsideSpan>& home, co
     for (const InsideSpan& run : home)
         for (int k = 0; k < run.count; ++k) {
             const Vec3<int> cell{run.begin + k, run.y, run.z};
-            const int begin = cell.x + unwrap.shift(0, cell.x);
-            if (cell == previous + Vec3<int>{1, 0, 0} && spans.back().begin + spans.back().count == begin)
+            const Vec3<double> shift = unwrap.shift(cell);
+            const auto whole = [&](int axis) {
+                return cell[axis] + static_cast<int>(std::floor(shift[axis]));
+            };
+            if (cell == previous + Vec3<int>{1, 0, 0} && spans.back().begin + spans.back().count == whole(0))
                 ++spans.back().count;
             else
-                spans.push_back(
-                    {begin, 1, cell.y + unwrap.shift(1, cell.y), cell.z + unwrap.shift(2, cell.z)});
+                spans.push_back({whole(0), 1, whole(1), whole(2), rest_of(shift)});
             previous = cell;
         }
     return spans;
@@ -229,7 +263,8 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     for (int a = 0; a < 3; ++a)
         if (setup_.drive.has_walls(a) || setup_.drive.is_open(a))
             period[a] = 0;
-    const Unwrap unwrap(period, middle());
+    const Unwrap unwrap(period, middle(), block_.slide,
+                        block_.slide ? setup_.drive.displacement(step_) : 0.0);
 
     std::vector<InterfaceCell> cells = layer_cells();
     std::vector<InsideSpan> inside = inside_spans();
@@ -245,12 +280,31 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     });
     if (!ranks().leads())
         return snapshot;
+    // Beyond sliding faces velocities are those that the images there have.
+    const double slide_speed = block_.slide ? setup_.drive.slide_speed(step_) : 0.0;
+    Vec3<double> gained{};
+    const auto gain = [&](const Vec3<int>& cell, double mass) {
+        Vec3<double> u{};
+        if (block_.slide) {
+            u[block_.slide->velocity] = unwrap.boxes_slid(cell) * slide_speed;
+            gained = gained + mass * u;
+        }
+        return u;
+    };
+    for (const InsideSpan& span : inside)
+        gain({span.begin, span.y, span.z}, span.count * setup_.reference_density);
     for (InterfaceCell& cell : vesicle.cells)
-        for (int a = 0; a < 3; ++a)
-            cell.position[a] += unwrap.shift(a, static_cast<int>(cell.position[a]));
+        cell.u = cell.u + gain({static_cast<int>(cell.position.x), static_cast<int>(cell.position.y),
+                                static_cast<int>(cell.position.z)},
+                               0.5 * (1.0 + cell.phi) * cell.density);
+    for (InterfaceCell& cell : vesicle.cells)
+        cell.position = cell.position +
+                        unwrap.shift({static_cast<int>(cell.position.x), static_cast<int>(cell.position.y),
+                                      static_cast<int>(cell.position.z)});
     vesicle.inside = detail::unwrapped(inside, unwrap);
     vesicle.colour_mass = sums.mass.value();
-    vesicle.momentum = {sums.momentum[0].value(), sums.momentum[1].value(), sums.momentum[2].value()};
+    vesicle.momentum =
+        Vec3<double>{sums.momentum[0].value(), sums.momentum[1].value(), sums.momentum[2].value()} + gained;
     snapshot.vesicles.push_back(std::move(vesicle));
     return snapshot;
 }

@@ -43,6 +43,13 @@ public:
         return flow_.shear ? flow_.shear->times.strength(step) * flow_.shear->rate : 0.0;
     }
 
+    /// How fast the images above a sliding box move in the step that leads from `step` to the next, and how
+    /// far they have moved by then, cells.
+    double slide_speed(std::int64_t step) const { return shear_rate(step) * size_[flow_.shear->gradient]; }
+    double displacement(std::int64_t step) const {
+        return flow_.shear->times.total(step) * flow_.shear->rate * size_[flow_.shear->gradient];
+    }
+
     /// Whether a force on everything must balance the buoyancy, as no wall does.
     bool needs_answer() const { return !has_solids_ && buoyancy_ != Vec3<double>{}; }
     const Vec3<double>& buoyancy() const { return buoyancy_; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "boundary/bounce_back.hpp"
+#include "boundary/lees_edwards.hpp"
 #include "boundary/periodic.hpp"
 #include "lattice/band.hpp"
 #include "lattice/populations.hpp"
@@ -12,6 +13,7 @@
 #include "simulation/row_schedule.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace vesica {
 
@@ -31,10 +33,12 @@ struct LayerInfluence {
 /// What drives the fluid, and what it cannot pass.
 template <class Real>
 struct FlowInfluence {
-    Vec3<double> body_force{};               ///< per volume, in every cell
-    Vec3<double> buoyancy{};                 ///< per volume of red
-    const SolidCells* solids = nullptr;      ///< null: none
-    const BounceBack<Real>* walls = nullptr; ///< null: none
+    Vec3<double> body_force{};                  ///< per volume, in every cell
+    Vec3<double> buoyancy{};                    ///< per volume of red
+    const SolidCells* solids = nullptr;         ///< null: none
+    const BounceBack<Real>* walls = nullptr;    ///< null: none
+    const LeesEdwards<Real>* sliding = nullptr; ///< null: no face slides
+    std::function<void()> left{}; ///< called when the populations that leave through sliding faces are known
 
     bool pushes() const { return body_force != Vec3<double>{} || buoyant(); }
     bool buoyant() const { return buoyancy != Vec3<double>{}; }
@@ -104,6 +108,8 @@ private:
         };
         if (others != nullptr) {
             step_rim<streaming>(influence, divided, threads);
+            if (influence.flow.sliding != nullptr)
+                leave_through_sliding_faces<streaming>(influence.flow, divided, threads);
             others->template start<streaming>(threads);
         }
         const auto is_done = [&](std::int64_t row) {
@@ -129,6 +135,9 @@ private:
                 [&](std::int64_t first, std::int64_t last) { settle(thread, first, last); });
         });
         close_boundary<streaming>(divided, others, threads);
+        if constexpr (streaming == Streaming::arrived)
+            if (influence.flow.sliding != nullptr)
+                slide<streaming>(*influence.flow.sliding, threads);
         for_each_block(schedule.rows(), threads, [&](int thread, std::int64_t begin, std::int64_t end) {
             schedule.left_over(begin, end,
                                [&](std::int64_t first, std::int64_t last) { settle(thread, first, last); });
@@ -177,6 +186,30 @@ private:
                 step_row<streaming>(first, first, last_tile(), size.x, influence);
             }
         });
+    }
+
+    template <Streaming streaming>
+    static void slide(const LeesEdwards<Real>& sliding, int threads) {
+        for_each_index(sliding.lines(), threads,
+                       [&](std::int64_t line) { sliding.template slide<streaming>(line); });
+    }
+
+    /// Sliding faces belong to the rim: the block meets even its own images in messages.
+    template <Streaming streaming>
+    void leave_through_sliding_faces(const FlowInfluence<Real>& flow, const Vec3<bool>& divided,
+                                     int threads) const {
+        for_each_index(flow.sliding->faces().rows(), threads,
+                       [&](std::int64_t row) { flow.sliding->template correct<streaming, Pack<Real>>(row); });
+        flow.left();
+        if constexpr (streaming == Streaming::turned) {
+            slide<streaming>(*flow.sliding, threads);
+        } else if (!divided.x) {
+            const Vec3<int> size = grid_.size();
+            for_each_index(std::int64_t{size.y} * size.z, threads, [&](std::int64_t row) {
+                if (is_rim(row, divided))
+                    boundary_.publish_row(y_of(row), z_of(row));
+            });
+        }
     }
 
     bool is_rim(std::int64_t row, const Vec3<bool>& divided) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "boundary/bounce_back.hpp"
+#include "boundary/lees_edwards.hpp"
 #include "collision/paper_mrt.hpp"
 #include "collision/symmetric_mrt.hpp"
 #include "lattice/unwrap.hpp"
@@ -74,8 +75,11 @@ public:
           membrane_(setup.membrane) {
         if (!block_.is_whole())
             others_.emplace(*setup_.neighbourhood, f_, grid_);
+        if (block_.slide)
+            sliding_.emplace(f_, grid_, block_, setup_.reference_density);
         fill_at_rest();
         remember_walls();
+        slide_layer();
         if (setup_.colours != nullptr) {
             layer_.place(
                 setup_.colours->core(),
@@ -91,6 +95,7 @@ public:
     void step() override {
         collide_and_stream(); // feeling the membrane's force; the colours are carried along
         if (!layer_.empty()) {
+            slide_layer();
             locate_surface(); // where it is, how large it is
             find_geometry();  // normals, curvatures
             push_fluid();     // bending, tension, the area's constraint
@@ -113,16 +118,7 @@ public:
     double interface_fraction() const override {
         return static_cast<double>(layer_.band().cell_count()) / static_cast<double>(grid_.volume());
     }
-    RankTraffic traffic() const override {
-        RankTraffic traffic;
-        traffic.band_bytes = layer_.messages().bytes_sent();
-        traffic.band_messages = layer_.messages().messages_sent();
-        if (others_) {
-            traffic.population_bytes = others_->messages().bytes_sent();
-            traffic.population_messages = others_->messages().messages_sent();
-        }
-        return traffic;
-    }
+    RankTraffic traffic() const override;
     std::string_view instruction_set() const override { return setup_.instruction_set; }
     const StepProfile& profile() const override { return clock_.profile(); }
 
@@ -216,16 +212,31 @@ private:
         RankBoundary<Real>* const others = others_ ? &*others_ : nullptr;
         if (solids_)
             walls_.set_walls(setup_.drive.walls(step_));
-        const FlowInfluence<Real> flow{body_force(), setup_.drive.buoyancy(), solids(),
-                                       solids_ ? &walls_ : nullptr};
+        FlowInfluence<Real> flow{body_force(), setup_.drive.buoyancy(), solids(),
+                                 solids_ ? &walls_ : nullptr};
+        if (sliding_) {
+            sliding_->set(setup_.drive.displacement(step_), setup_.drive.slide_speed(step_));
+            flow.sliding = &*sliding_;
+            flow.left = [this] {
+                layer_.count_departing(f_, streaming_, setup_.threads);
+            };
+        }
         std::visit(
             [&](const auto& fluid) {
                 fluid(streaming_, influence(), flow, others, setup_.threads, carry_colours);
             },
             fluid_);
+        if (sliding_)
+            layer_.count_arriving(f_, streamed, setup_.threads);
         clock_.concede(StepPart::transport, layer_.end_transport());
         streaming_ = streamed;
         ++step_;
+    }
+
+    /// Where the images are now is where the layer's ghosts are looked for.
+    void slide_layer() {
+        if (sliding_)
+            layer_.slide_to(setup_.drive.displacement(step_));
     }
 
     void hold_area() { membrane_.hold_area(corrected_area(), step_); }
@@ -372,6 +383,7 @@ private:
     AnyFluidStep<Real> fluid_;
     Layer<Real> layer_;
     std::optional<RankBoundary<Real>> others_; ///< none where the block is the whole box
+    std::optional<LeesEdwards<Real>> sliding_; ///< where the box slides past its images
     Membrane membrane_;
     Streaming streaming_ = Streaming::arrived;
     std::int64_t step_ = 0;

@@ -8,6 +8,7 @@
 #include "geometry/normal.hpp"
 #include "geometry/paper_frames.hpp"
 #include "lattice/populations.hpp"
+#include "lattice/sliding_faces.hpp"
 #include "membrane/layer_force.hpp"
 #include "membrane/tension.hpp"
 #include "parallel/for_each.hpp"
@@ -62,6 +63,7 @@ public:
           solids_(solids),
           spread_force_(settings.cutoff),
           band_(neighbourhood_->block(), solids),
+          faces_(band_.grid(), neighbourhood_->block()),
           halo_(*neighbourhood_),
           inside_(static_cast<std::size_t>(band_.grid().tiles()), 0),
           force_slots_(static_cast<std::size_t>(band_.grid().tiles()), -1),
@@ -91,12 +93,7 @@ public:
         return bits;
     }
 
-    std::size_t bytes() const {
-        return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
-               (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) +
-               core_bits_.capacity() + margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) +
-               transport_sums_.capacity() * sizeof(TransportSums);
-    }
+    std::size_t bytes() const;
 
     /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid
     /// index, and `inside` says which side every cell lies on.
@@ -131,8 +128,6 @@ public:
     /// Where the surface is: s, the layer's area, and whether the core has left its place.
     /// What leaked out of the band is given back, in proportion to 1 - phi^2: mass is exact.
     void locate(int threads) {
-        constexpr double purest =
-            1e-8; // fraction that a pure cell is read as: s stays finite beyond the colours
         const Real correction = static_cast<Real>(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
         std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
         std::vector<LaneSum<38>> red(static_cast<std::size_t>(threads));
@@ -166,6 +161,7 @@ public:
         };
         share(Band::outermost, threads, {fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi},
               place_surface);
+        colour_slid_ghosts();
         extend_into_solids({fields_.s}, Band::outermost, 1.0, threads);
         area_ = merged(area);
         red_ = merged(red);
@@ -174,7 +170,18 @@ public:
         leaked_ = 0.0;
     }
 
-    bool core_has_left() const { return core_has_left_; }
+    /// Whether the band must be laid out anew.
+    bool core_has_left() const { return core_has_left_ || (meets_images_ && slid_ != displacement_.whole); }
+
+    /// The images above the box have moved on so far, cells.
+    void slide_to(double displacement) {
+        displacement_ = Displacement::of(displacement, band_.grid().size()[faces_.slide().velocity]);
+    }
+    /// Red that crosses sliding faces is counted on either side: what the blending between cells adds or
+    /// takes leaks, and is given back. After the cells along the faces have done their step:
+    void count_departing(const PopulationView<Real>& f, Streaming streaming, int threads);
+    /// When everything has arrived, before end_transport():
+    void count_arriving(const PopulationView<Real>& f, Streaming streaming, int threads);
 
     /// Lays the band out around where the core is now. Colours stay; what the band lets go of is given back
     /// by the next locate().
@@ -207,6 +214,9 @@ public:
     }
 
 private:
+    static constexpr double purest =
+        1e-8; ///< fraction that a pure cell is read as: s stays finite beyond the colours
+
     template <class Bending>
     void forces_of(const Bending& bending, const TensionLaw& tension, int threads);
     template <class Tiles>
@@ -294,11 +304,11 @@ private:
         sums_ = {area, gaussian_curvature, square_mean_curvature, red + inside};
     }
 
-    void set_leaked(const LaneSum<50>& more, const LaneSum<38>& layer) {
+    void set_leaked(const LaneSum<50>& more, const LaneSum<38>& layer, const LaneSum<38>& crossed = {}) {
         if (empty())
             return;
-        const auto [leaked, layer_sum] = over_ranks(more, layer);
-        leaked_ += settings_.reference_density * leaked;
+        const auto [leaked, layer_sum, lost] = over_ranks(more, layer, crossed);
+        leaked_ += settings_.reference_density * (leaked + lost);
         layer_sum_ = layer_sum;
     }
 
@@ -321,53 +331,34 @@ private:
                        });
     }
 
-    /// for_tiles, after which the ghosts of `arrays` have the values of the cells they stand for. What other
-    /// ranks wait for comes first and travels while the rest is worked on.
+    // What ghosts stand for: simulation/layer_ghosts.hpp.
     template <class Body>
-    void share(int level, int threads, std::initializer_list<std::span<Real>> arrays, const Body& body) {
-        if (neighbourhood_->block().is_whole()) {
-            for_tiles(level, threads, body);
-            copy_ghosts(arrays, threads);
-            return;
-        }
-        for_listed_tiles(band_.rim_of_level(level), threads, body);
-        halo_.start(arrays, threads);
-        for_listed_tiles(band_.inner_of_level(level), threads, body);
-        copy_ghosts(arrays, threads);
-        halo_.finish(arrays, threads);
-    }
-
-    /// Beside solids, after arrays have been shared: what a layer of solid cells stands for.
+    void share(int level, int threads, std::initializer_list<std::span<Real>> arrays, const Body& body);
     void extend_into_solids(std::initializer_list<std::span<Real>> arrays, int level, double slope,
-                            int threads) {
-        if (!near_solids_)
-            return;
-        margin_.fill(arrays, level, slope, threads);
-        if (!neighbourhood_->block().is_whole())
-            halo_.start(arrays, threads);
-        copy_ghosts(arrays, threads);
-        if (!neighbourhood_->block().is_whole())
-            halo_.finish(arrays, threads);
-    }
+                            int threads);
+    void copy_ghosts(std::initializer_list<std::span<Real>> arrays, int threads);
 
-    /// Those that stand for cells of this block.
-    void copy_ghosts(std::initializer_list<std::span<Real>> arrays, int threads) {
-        const std::vector<Band::GhostCopy>& copies = band_.ghost_copies();
-        if (copies.empty())
-            return;
-        for_each_block(static_cast<std::int64_t>(copies.size()), threads,
-                       [&](int, std::int64_t begin, std::int64_t end) {
-                           for (const std::span<Real>& array : arrays)
-                               for (std::int64_t k = begin; k < end; ++k)
-                                   array[at(copies[at(k)].to)] = array[at(copies[at(k)].from)];
-                       });
-    }
+    // Sliding faces: simulation/layer_slide.hpp.
+    void join_images();
+    void list_face_tiles();
+    void blend_slid_ghosts(std::initializer_list<std::span<Real>> arrays, int level);
+    void colour_slid_ghosts();
+    template <Streaming streaming>
+    void count_departing(const PopulationView<Real>& f, int threads);
+    template <Streaming streaming>
+    void count_arriving(const PopulationView<Real>& f, int threads);
+    template <class Count>
+    void count_crossing(int threads, const Count& count);
 
     std::shared_ptr<const Neighbourhood> neighbourhood_;
     LayerSettings settings_;
     const SolidCells* solids_ = nullptr;
     LayerForce spread_force_;
     Band band_;
+    SlidingFaces faces_;
+    Displacement displacement_; ///< of the images above, now
+    int slid_ = 0;              ///< the whole cells of it that the band was laid out for
+    bool meets_images_ = false; ///< beyond a sliding face, on any rank
     BandHalo<Real> halo_;
     SolidMargin<Real> margin_;
     bool near_solids_ = false; ///< on any rank
@@ -387,10 +378,22 @@ private:
     std::vector<TransportSums> transport_sums_; ///< per thread
     LaneSum<38> area_;                          ///< of this rank's block
     LaneSum<38> red_;                           ///< rho_R/rho of its band's cells
-    LaneSum<20> plain_red_;                     ///< its other cells inside, laid out with the band
+    /// A tile along a sliding face where there is some red.
+    struct FaceTile {
+        std::int64_t cell = 0;
+        int towards = 0;
+        std::uint8_t bits = 0;
+        std::int32_t index = -1; ///< of the band's tile; -1: outside
+    };
+    std::vector<FaceTile> face_tiles_;
+    std::vector<LaneSum<38>> crossing_; ///< per thread: red that left through them less what came
+    LaneSum<20> plain_red_;             ///< its other cells inside, laid out with the band
     LayerSums sums_;
     double leaked_ = 0.0;    ///< red mass to be given back
     double layer_sum_ = 0.0; ///< sum (1 - phi^2) it is shared by
 };
 
 } // namespace vesica
+
+#include "simulation/layer_ghosts.hpp"
+#include "simulation/layer_slide.hpp"

@@ -59,7 +59,11 @@ void Layer<Real>::lay_out(const std::vector<Band::Seed>& core) {
     laid_out_core_ = core;
     for (const BandTile& t : band_.tiles())
         force_slots_[at(t.tile)] = colour_slots_[at(t.tile)] = -1;
-    band_.rebuild(core, halo_.exchange_seeds(core, band_.grid()));
+    band_.rebuild(core, halo_.exchange_seeds(core, band_.grid()), displacement_.whole);
+    if (neighbourhood_->block().slide) {
+        join_images();
+        list_face_tiles();
+    }
     halo_.follow(band_);
     empty_ = !ranks().any(!core.empty());
     if (solids_ != nullptr) {
@@ -130,6 +134,14 @@ void Layer<Real>::let_go(const std::vector<BandTile>& tiles, const std::vector<R
         layer.add(select<Real>(V::mask(t.bits[reach::colour]),
                                layer_density(V::load(fields_.chi.data() + t.slot())), V(0)));
     set_leaked(gone, layer);
+}
+
+template <class Real>
+std::size_t Layer<Real>::bytes() const {
+    return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
+           (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) +
+           core_bits_.capacity() + margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) +
+           transport_sums_.capacity() * sizeof(TransportSums) + face_tiles_.capacity() * sizeof(FaceTile);
 }
 
 } // namespace vesica

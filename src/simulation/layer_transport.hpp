@@ -9,6 +9,7 @@ namespace vesica {
 template <class Real>
 void Layer<Real>::begin_transport(int threads) {
     transport_sums_.assign(static_cast<std::size_t>(threads), {});
+    crossing_.clear();
 }
 
 template <class Real>
@@ -112,7 +113,7 @@ double Layer<Real>::end_transport() {
     TransportSums total;
     for (const TransportSums& sums : transport_sums_)
         total.merge(sums);
-    set_leaked(total.leaked, total.layer);
+    set_leaked(total.leaked, total.layer, merged(crossing_));
     return total.seconds / static_cast<double>(transport_sums_.size());
 }
 

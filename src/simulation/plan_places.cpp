@@ -78,6 +78,33 @@ void judge_ends(const Parameters& parameters, std::size_t vesicle, const Shape& 
     }
 }
 
+/// Solids do not slide: there must be none along the faces of a box that does.
+void judge_slide(const Parameters& parameters, const SolidVoxels& solids, Remarks& remarks) {
+    const ShearFlow* const flow = parameters.sliding();
+    if (flow == nullptr)
+        return;
+    Vec3<int> size = parameters.size;
+    const int last = size[flow->gradient] - 1;
+    size[flow->gradient] = 1;
+    Vec3<int> cell{};
+    for (cell.z = 0; cell.z < size.z; ++cell.z)
+        for (cell.y = 0; cell.y < size.y; ++cell.y)
+            for (cell.x = 0; cell.x < size.x; ++cell.x)
+                for (const int end : {0, last}) {
+                    Vec3<int> place = cell;
+                    place[flow->gradient] = end;
+                    if (!solids.at(place))
+                        continue;
+                    remarks.push_back(
+                        {Severity::error, "obstacles",
+                         fmt::format("obstacles: cell ({}, {}, {}) at the end of the box is solid; expected "
+                                     "fluid there, where flow.shear with lees-edwards lets the images slide "
+                                     "past; try with = \"walls\", or obstacles away from both ends of {}",
+                                     place.x, place.y, place.z, "xyz"[flow->gradient])});
+                    return;
+                }
+}
+
 /// The smallest distance from a vesicle's surface to the centre of a solid cell, less half a cell; negative
 /// where it reaches into one.
 void judge_obstacles(const Parameters& parameters, const SolidVoxels& solids, std::size_t vesicle,
@@ -153,6 +180,8 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
                           remarks);
         }
     }
+    if (plan.obstacles != nullptr)
+        judge_slide(parameters, *plan.obstacles, remarks);
     for (std::size_t a = 0; a < shapes.size(); ++a) {
         judge_ends(parameters, a, *shapes[a], width, remarks);
         if (plan.obstacles != nullptr)

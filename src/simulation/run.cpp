@@ -241,7 +241,8 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
     if (options.crew != nullptr) // a box that cannot be cut is refused before anything is written
-        layout_for(what.parameters.lattice(), options.crew->ranks().count(), options.blocks);
+        layout_for(what.parameters.lattice(), options.crew->ranks().count(), options.blocks,
+                   slide_of(what.parameters));
     Colleagues nobody;
     Colleagues& colleagues = options.crew != nullptr ? *options.crew : nobody;
     std::optional<StartState> start;

@@ -3,6 +3,7 @@
 #include "core/version.hpp"
 #include "io/case_file.hpp"
 #include "measure/surface.hpp"
+#include "measure/whole_cells.hpp"
 
 #include <fmt/format.h>
 
@@ -69,7 +70,8 @@ private:
     const std::optional<Scales>& scales_;
 };
 
-SurfaceArrays surface_of(const VesicleSnapshot& vesicle, int index, const std::optional<Scales>& scales) {
+SurfaceArrays surface_of(const VesicleSnapshot& measured, int index, const std::optional<Scales>& scales) {
+    const VesicleSnapshot vesicle = on_whole_cells(measured);
     const SurfaceMesh mesh = extract_surface(vesicle);
     SurfaceArrays arrays;
     arrays.vesicle = index;

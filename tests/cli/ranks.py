@@ -10,12 +10,12 @@ ENVIRONMENT = {
     "OMPI_MCA_hwloc_base_binding_policy": "none",
     "OMP_WAIT_POLICY": "passive",
 }
+NO_LEAKS = {"ASAN_OPTIONS": ":".join([*filter(None, [os.environ.get("ASAN_OPTIONS")]), "detect_leaks=0"])}
 
 
 def environment():
     # What Open MPI keeps to its end is checked by valgrind, which can tell whose it is (tools/check-valgrind).
-    sanitizer = {"ASAN_OPTIONS": os.environ["ASAN_OPTIONS"] + ":detect_leaks=0"} if "ASAN_OPTIONS" in os.environ else {}
-    return {**os.environ, **ENVIRONMENT, **sanitizer}
+    return {**os.environ, **ENVIRONMENT, **NO_LEAKS}
 
 
 def mpirun(ranks):

@@ -30,6 +30,10 @@ TEST_CASE("flows that fit together are accepted") {
 }
 
 TEST_CASE("the walls of a shear are those of its gradient, and the lattice has room for them") {
+    const Case sliding = read_with({"flow.shear={ rate = 2e-4, with = \"lees-edwards\" }"});
+    CHECK(sliding.parameters.sliding() != nullptr);
+    CHECK_FALSE(sliding.parameters.is_bounded());
+    CHECK(sliding.parameters.lattice() == sliding.parameters.size);
     const Case sheared = read_with({"flow.shear={ rate = 2e-4, velocity = \"y\", gradient = \"x\" }"});
     CHECK(sheared.parameters.has_walls(0));
     CHECK_FALSE(sheared.parameters.has_walls(1));
@@ -79,6 +83,9 @@ TEST_CASE("the inertia of a shear is scaled up to the Reynolds number of the lat
 
 TEST_CASE("flows that do not fit together are refused with the remedy") {
     const std::vector<std::pair<std::vector<std::string>, std::string>> rows{
+        {{walls_z, "flow.shear={ rate = 1e-4, with = \"lees-edwards\" }"},
+         "flow.shear.with is \"lees-edwards\"; expected no [boundary.z] with it"},
+        {{"flow.shear={ rate = 1e-4, with = \"pistons\" }"}, "flow.shear.with is \"pistons\""},
         {{"flow.shear={ rate = 1e-4, velocity = \"z\" }"},
          "expected two different axes for velocity and gradient"},
         {{walls_z, "flow.shear={ rate = 1e-4 }"},

@@ -80,6 +80,11 @@ TEST_CASE("a box that cannot be cut into so many blocks is refused, and the most
     CHECK_FALSE(fits({64, 64, 64}, {7, 1, 1}));
     CHECK_FALSE(fits({64, 64, 64}, {0, 1, 1}));
     CHECK(fits({64, 3, 64}, {6, 1, 1}));
+    CHECK_FALSE(fits({64, 64, 64}, {2, 1, 1}, Slide{2, 0})); // lines along the velocity stay whole
+    CHECK(*choose_blocks({256, 32, 32}, 4, Slide{2, 0}) == Vec3<int>{1, 2, 2});
+    CHECK(*choose_blocks({256, 32, 32}, 4, Slide{0, 1}) == Vec3<int>{4, 1, 1});
+    CHECK(BlockLayout({40, 40, 40}, {1, 1, 1}, Slide{2, 0}).block({}).divided ==
+          Vec3<bool>{false, false, true});
 }
 
 TEST_CASE("balanced cuts leave the heaviest slab as light as it can be", "[parallel]") {

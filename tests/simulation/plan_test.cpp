@@ -280,6 +280,20 @@ TEST_CASE("a vesicle too near to an inlet is refused at once") {
     CHECK(says(text, "cells apart; expected at least 10.5"));
 }
 
+TEST_CASE("solids do not slide: none may lie at the ends of a box that does") {
+    Case what = discocyte({"flow.shear={ rate = 1e-5, with = \"lees-edwards\" }"});
+    SolidVoxels solids(what.parameters.size);
+    solids.set({7, 9, 20});
+    ObstacleParameters obstacles;
+    obstacles.voxels = std::make_shared<const SolidVoxels>(solids);
+    what.parameters.obstacles = obstacles;
+    CHECK(all(make_plan(what), Severity::error).empty());
+    solids.set({7, 9, 63});
+    what.parameters.obstacles->voxels = std::make_shared<const SolidVoxels>(solids);
+    CHECK(says(all(make_plan(what), Severity::error),
+               "cell (7, 9, 63) at the end of the box is solid; expected fluid there"));
+}
+
 TEST_CASE("a vesicle that reaches an obstacle across the box's edge is refused") {
     Case what = discocyte();
     SolidVoxels solids(what.parameters.size);

@@ -1,0 +1,195 @@
+#pragma once
+
+#include "simulation/layer_placement.hpp"
+
+#include <cmath>
+
+namespace vesica {
+
+/// The band has been laid out: what lies along the faces of the images beyond is told, and asked.
+template <class Real>
+void Layer<Real>::join_images() {
+    const auto neighbours = neighbourhood_->linked_neighbours();
+    const Block& block = neighbourhood_->block();
+    const std::vector<HaloPart>& parts = neighbourhood_->parts();
+    std::vector<std::vector<std::byte>> outgoing(neighbourhood_->neighbours().size());
+    bool meets = false;
+    for (std::size_t k = 0; k < neighbours.size(); ++k)
+        for (const std::size_t part : neighbours[k].outgoing)
+            if (block.slides_at(parts[part].link)) {
+                const std::vector<std::uint8_t> rim = band_.rim_cells(part, inside_);
+                const auto bytes = std::as_bytes(std::span(rim));
+                outgoing[k].insert(outgoing[k].end(), bytes.begin(), bytes.end());
+                meets = meets || !band_.part_cells()[part].rim.empty();
+            }
+    const std::vector<std::vector<std::byte>> incoming = neighbourhood_->exchange(outgoing);
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+        std::size_t begin = 0;
+        for (const std::size_t part : neighbours[k].incoming)
+            if (block.slides_at(parts[part].link))
+                begin += band_.join(part, std::span(incoming[k]).subspan(begin));
+    }
+    meets_images_ = ranks().any(meets || !band_.slid_ghosts().empty());
+    slid_ = displacement_.whole;
+}
+
+template <class Real>
+void Layer<Real>::list_face_tiles() {
+    face_tiles_.clear();
+    for (int row = 0; row < faces_.rows(); ++row)
+        faces_.for_each_tile(row, [&](const SlidingFaces::Face& face, std::int64_t cell, unsigned bits) {
+            const std::int64_t tile = cell / tile_width;
+            const BandTile* const in_band = detail::find_tile(band_.tiles(), tile);
+            if (in_band == nullptr && (inside_[at(tile)] & bits) == 0)
+                return;
+            const auto index =
+                in_band == nullptr ? -1 : static_cast<std::int32_t>(in_band - band_.tiles().data());
+            face_tiles_.push_back({cell, face.towards, static_cast<std::uint8_t>(bits), index});
+        });
+}
+
+/// Ghosts beyond sliding faces lie between cells of the images there, of which those in `level` have values.
+template <class Real>
+void Layer<Real>::blend_slid_ghosts(std::initializer_list<std::span<Real>> arrays, int level) {
+    if (band_.slid_ghosts().empty())
+        return;
+    const Real pure = signed_distance_of(Real(0), Real(purest), settings_.beta);
+    Real weights[Displacement::reads];
+    for (std::size_t n = 0; n < Displacement::reads; ++n)
+        weights[n] = static_cast<Real>(displacement_.weights[n]);
+    for (const std::span<Real>& array : arrays) {
+        // Farther out all is pure, and nothing is curved: it is the distance alone that goes on.
+        const bool is_distance = array.data() == fields_.s.data() ||
+                                 (array.data() == fields_.sharp.data() && level == reach::receiving);
+        const auto value_of = [&](std::int32_t from, int lowest) {
+            if (from >= 0 && lowest <= level)
+                return array[at(from)];
+            if (!is_distance)
+                return Real(0);
+            if (from >= 0)
+                return fields_.s[at(from)];
+            return from == Band::SlidGhost::pure_blue ? pure : -pure;
+        };
+        for (const Band::SlidGhost& ghost : band_.slid_ghosts()) {
+            Real sum = Real(0);
+            for (std::size_t n = 0; n < Displacement::reads; ++n)
+                sum += weights[n] * value_of(ghost.from[n], ghost.level[n]);
+            array[at(ghost.to)] = sum;
+        }
+    }
+}
+
+/// Colours between cells follow from the distance, which is straight where a layer is flat; a layer's own
+/// profile is too steep for a cubic.
+template <class Real>
+void Layer<Real>::colour_slid_ghosts() {
+    const Real pure = signed_distance_of(Real(0), Real(purest), settings_.beta);
+    for (const Band::SlidGhost& ghost : band_.slid_ghosts()) {
+        const std::size_t to = at(ghost.to);
+        const Real s = fields_.s[to];
+        const bool is_red = s < Real(0);
+        const bool is_pure = std::abs(s) >= Real(0.999) * pure;
+        const Real minority =
+            is_pure ? Real(0)
+                    : static_cast<Real>(
+                          1.0 / (1.0 + std::exp(2.0 * settings_.beta * std::abs(static_cast<double>(s)))));
+        fields_.chi[to] = with_sign_bit(is_red, minority);
+        fields_.red[to] = is_red ? Real(1) - minority : minority;
+        fields_.blue[to] = is_red ? minority : Real(1) - minority;
+        const double phi =
+            is_red ? 1.0 - 2.0 * static_cast<double>(minority) : 2.0 * static_cast<double>(minority) - 1.0;
+        fields_.psi[to] = static_cast<Real>(spread_force_.profile(phi));
+    }
+}
+
+template <class Real>
+template <class Count>
+void Layer<Real>::count_crossing(int threads, const Count& count) {
+    crossing_.resize(at(threads));
+    for_each_block(static_cast<std::int64_t>(face_tiles_.size()), threads,
+                   [&](int thread, std::int64_t begin, std::int64_t end) {
+                       LaneSum<38> sum;
+                       for (std::int64_t k = begin; k < end; ++k)
+                           count(face_tiles_[at(k)], sum);
+                       crossing_[at(thread)].merge(sum);
+                   });
+}
+
+template <class Real>
+template <Streaming streaming>
+void Layer<Real>::count_departing(const PopulationView<Real>& f, int threads) {
+    using V = Pack<Real>;
+    const int across = faces_.slide().gradient;
+    count_crossing(threads, [&](const FaceTile& t, LaneSum<38>& sum) {
+        V red = select<Real>(V::mask(inside_[at(t.cell / tile_width)]), V(1), V(0));
+        Vec3<V> w{V(0), V(0), V(0)};
+        if (t.index >= 0) {
+            const TileRun<Real> run{band_.tiles().data() + t.index};
+            red = run.load(fields_.red);
+            w = run.load(fields_.w);
+        }
+        V leaves = V(0);
+        for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
+            if (velocity(i, across) != t.towards)
+                return;
+            const V g = V::load(f.template departing<streaming, decltype(i)::value>(t.cell));
+            const V separated = V(velocity(i, 0)) * w.x + V(velocity(i, 1)) * w.y + V(velocity(i, 2)) * w.z;
+            leaves += red * (V(weight(i) * settings_.reference_density) + g) - V(weight(i)) * separated;
+        });
+        sum.add(select<Real>(V::mask(t.bits), V(1.0 / settings_.reference_density) * leaves, V(0)));
+    });
+}
+
+template <class Real>
+template <Streaming streaming>
+void Layer<Real>::count_arriving(const PopulationView<Real>& f, int threads) {
+    using V = Pack<Real>;
+    const int across = faces_.slide().gradient;
+    count_crossing(threads, [&](const FaceTile& t, LaneSum<38>& sum) {
+        const BandTile* const in_band = t.index >= 0 ? band_.tiles().data() + t.index : nullptr;
+        const V own = in_band != nullptr
+                          ? TileRun<Real>{in_band}.load(fields_.red)
+                          : select<Real>(V::mask(inside_[at(t.cell / tile_width)]), V(1), V(0));
+        // Cells that receive none of the other colour keep their side.
+        const auto receives = V::mask(in_band != nullptr ? in_band->bits[reach::receiving] : 0u);
+        V comes = V(0);
+        for_each_direction([&](auto i) VESICA_INLINE_LAMBDA {
+            if (velocity(i, across) != -t.towards)
+                return;
+            constexpr int from = opposite(decltype(i)::value);
+            const V g = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell));
+            V red = own;
+            V separated = V(0);
+            if (in_band != nullptr) {
+                const TileRun<Real> run{in_band};
+                const Vec3<Around<Real, tile_width>> w = around(fields_.w, run);
+                red = select<Real>(receives, around(fields_.red, run)(Direction<from>{}), own);
+                separated = select<Real>(receives,
+                                         V(velocity(i, 0)) * w.x(Direction<from>{}) +
+                                             V(velocity(i, 1)) * w.y(Direction<from>{}) +
+                                             V(velocity(i, 2)) * w.z(Direction<from>{}),
+                                         V(0));
+            }
+            comes += red * (V(weight(i) * settings_.reference_density) + g) - V(weight(i)) * separated;
+        });
+        sum.add(select<Real>(V::mask(t.bits), V(-1.0 / settings_.reference_density) * comes, V(0)));
+    });
+}
+
+template <class Real>
+void Layer<Real>::count_departing(const PopulationView<Real>& f, Streaming streaming, int threads) {
+    if (streaming == Streaming::arrived)
+        count_departing<Streaming::arrived>(f, threads);
+    else
+        count_departing<Streaming::turned>(f, threads);
+}
+
+template <class Real>
+void Layer<Real>::count_arriving(const PopulationView<Real>& f, Streaming streaming, int threads) {
+    if (streaming == Streaming::arrived)
+        count_arriving<Streaming::arrived>(f, threads);
+    else
+        count_arriving<Streaming::turned>(f, threads);
+}
+
+} // namespace vesica

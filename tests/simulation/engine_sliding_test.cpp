@@ -1,0 +1,190 @@
+#include "lattice/velocity_set.hpp"
+#include "measure/surface.hpp"
+#include "measure/whole_cells.hpp"
+#include "simulation/engine_cases.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vesica;
+using namespace vesica::test;
+
+namespace {
+
+Parameters sliding_box(const Vec3<int>& size, int velocity, int gradient, double rate) {
+    Parameters parameters;
+    parameters.size = size;
+    parameters.flow.shear = ShearFlow{rate, velocity, gradient, {}, ShearBy::lees_edwards};
+    return parameters;
+}
+
+/// The fluid's velocity everywhere, with the equilibrium's populations.
+template <class Velocity>
+void set_velocity(Engine& engine, const Velocity& u_at) {
+    EngineState state = engine.save();
+    std::size_t at = 0;
+    for (int z = 0; z < state.size.z; ++z)
+        for (int y = 0; y < state.size.y; ++y)
+            for (int x = 0; x < state.size.x; ++x, ++at) {
+                const Vec3<double> u = u_at(Vec3<double>{x + 0.5, y + 0.5, z + 0.5});
+                for (int i = 0; i < direction_count; ++i) {
+                    const double cu = velocity(i, 0) * u.x + velocity(i, 1) * u.y + velocity(i, 2) * u.z;
+                    state.populations[static_cast<std::size_t>(i)][at] =
+                        weight(i) * (3.0 * cu + 4.5 * cu * cu - 1.5 * dot(u, u));
+                }
+            }
+    engine.load(state);
+}
+
+/// The vesicle's measurements, in the plane of the shear.
+MetricsRow sheared_metrics(const Engine& engine) {
+    const Snapshot snapshot = engine.snapshot();
+    return measure(snapshot.vesicles.front(), snapshot,
+                   baseline_of(snapshot.vesicles.front(), 0, ShearPlane{{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}));
+}
+
+double area_of(const SurfaceMesh& mesh) {
+    double sum = 0.0;
+    for (const auto& corners : mesh.triangles) {
+        const Vec3<double>& a = mesh.points[corners[0]];
+        sum += 0.5 * norm(cross(mesh.points[corners[1]] - a, mesh.points[corners[2]] - a));
+    }
+    return sum;
+}
+
+/// In a shear along x over z, from the start on.
+Parameters sheared_spheroid(const Vec3<double>& centre) {
+    Parameters parameters = sliding_box({40, 32, 36}, 0, 2, 8e-4);
+    const Parameters spheroid = deforming_spheroid();
+    parameters.types = spheroid.types;
+    parameters.types.front().area.constraint = MultiplierConstraint{};
+    parameters.types.front().sigma = 0.0;
+    parameters.vesicles = spheroid.vesicles;
+    parameters.vesicles.front().axis = {1.0, 0.0, 0.5};
+    parameters.vesicles.front().centre = centre;
+    return parameters;
+}
+
+void shear_at_once(Engine& engine) {
+    set_velocity(engine, [&](const Vec3<double>& r) { return Vec3<double>{8e-4 * (r.z - 18.0), 0.0, 0.0}; });
+}
+
+} // namespace
+
+TEST_CASE("a box that slides past its images shears the fluid evenly, along any pair of axes") {
+    const int gradient = GENERATE(0, 1, 2);
+    const int along = (gradient + GENERATE(1, 2)) % 3;
+    Vec3<int> size{11, 10, 13};
+    size[gradient] = 12;
+    Parameters parameters = sliding_box(size, along, gradient, 1.3e-3);
+    parameters.fluid.kinematic_viscosity = 1.0 / 3.0;
+    const auto engine = make_engine(parameters, 2);
+    run(*engine, 2501); // odd: what streams in place must not matter
+    const DenseField u = engine->field("velocity");
+    const DenseField density = engine->field("density");
+    double worst = 0.0;
+    double mass = 0.0;
+    std::size_t at = 0;
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x, ++at) {
+                const Vec3<int> cell{x, y, z};
+                for (int a = 0; a < 3; ++a)
+                    worst =
+                        std::max(worst, std::abs(u.values[3 * at + static_cast<std::size_t>(a)] -
+                                                 (a == along ? 1.3e-3 * (cell[gradient] + 0.5 - 6.0) : 0.0)));
+                mass += density.values[at] - 1.0;
+            }
+    CHECK(worst < 1e-11);
+    CHECK(std::abs(mass) < 1e-11);
+}
+
+TEST_CASE("a wave that is sheared follows Kelvin's solution through sliding faces") {
+    // u_y = A cos(k (x - gamma t z)), carried by the shear: nothing but nu k(t)^2 damps it.
+    const auto error = [](int edge) {
+        const double rate = 0.02 * 16.0 / (edge * edge); // the same Re, and speeds that fall with the edge
+        const double nu = 0.02;
+        const double k = 2.0 * 3.14159265358979323846 / edge;
+        Parameters parameters = sliding_box({edge, 10, edge}, 0, 2, rate);
+        parameters.fluid.kinematic_viscosity = nu;
+        const auto engine = make_engine(parameters, 1);
+        const double half = 0.5 * edge;
+        const double amplitude = 0.02 * 16.0 / edge;
+        set_velocity(*engine, [&](const Vec3<double>& r) {
+            return Vec3<double>{rate * (r.z - half), amplitude * std::cos(k * r.x), 0.0};
+        });
+        const int steps = static_cast<int>(1.25 / rate);
+        run(*engine, steps);
+        const double strain = rate * steps;
+        const double damping = std::exp(-nu * k * k * steps * (1.0 + strain * strain / 3.0));
+        const DenseField u = engine->field("velocity");
+        double worst = 0.0;
+        for (int z = 0; z < edge; ++z)
+            for (int x = 0; x < edge; ++x) {
+                const double expected =
+                    amplitude * damping * std::cos(k * (x + 0.5 - strain * (z + 0.5 - half)));
+                const auto cell = static_cast<std::size_t>(x + edge * (5 + 10 * z));
+                worst = std::max(worst, std::abs(u.values[3 * cell + 1] - expected));
+            }
+        return worst / amplitude;
+    };
+    const double coarse = error(16);
+    const double fine = error(32);
+    CHECK(fine < 2e-3);
+    CHECK(std::log2(coarse / fine) > 1.8);
+}
+
+TEST_CASE("a vesicle that lies across a sliding face is the vesicle in the middle of the box") {
+    const auto inside = make_engine(sheared_spheroid({20.0, 16.0, 18.0}), 2);
+    const auto across = make_engine(sheared_spheroid({20.0, 16.0, 36.0}), 2);
+    const double mass = across->snapshot().vesicles.front().colour_mass;
+    for (Engine* engine : {inside.get(), across.get()}) {
+        shear_at_once(*engine);
+        run(*engine, 600);
+    }
+    const MetricsRow a = sheared_metrics(*inside);
+    const MetricsRow b = sheared_metrics(*across);
+    CHECK(across->snapshot().vesicles.front().colour_mass == Approx(mass).epsilon(1e-11));
+    // Values between cells are interpolated: with a radius of 7 that costs something (a fifth of it at 14).
+    CHECK(b.area == Approx(a.area).epsilon(4e-4));
+    CHECK(b.volume == Approx(a.volume).epsilon(4e-4));
+    CHECK(b.inclination == Approx(a.inclination).margin(1.0));
+    CHECK(b.taylor_deformation == Approx(a.taylor_deformation).margin(2.5e-3));
+    CHECK(b.bending_energy == Approx(a.bending_energy).epsilon(1e-3));
+    // It stays at the face, and moves with the fluid there: half as fast as the images.
+    CHECK(b.z == Approx(36.0).margin(1e-3));
+    CHECK(b.x == Approx(20.0 + 600 * 0.5 * 8e-4 * 36.0).margin(0.05));
+    CHECK(b.vx == Approx(0.5 * 8e-4 * 36.0).epsilon(0.01));
+    // In one piece, though its halves lie on lattices that have slid past each other.
+    const SurfaceMesh surface = extract_surface(on_whole_cells(across->snapshot().vesicles.front()));
+    const double corners = static_cast<double>(surface.points.size());
+    const double faces = static_cast<double>(surface.triangles.size());
+    CHECK(corners - 1.5 * faces + faces == 2.0);
+    CHECK(area_of(surface) == Approx(b.area).epsilon(0.01));
+}
+
+TEST_CASE("a sheared box goes on from its saved state as if it had never stopped") {
+    const Parameters parameters = sheared_spheroid({20.0, 16.0, 3.0});
+    const auto engine = make_engine(parameters, 2);
+    shear_at_once(*engine);
+    run(*engine, 151); // the images have moved by more than four cells, and a part of one
+    const auto other = make_engine(parameters, 1);
+    other->load(engine->save());
+    for (Engine* each : {engine.get(), other.get()})
+        run(*each, 90);
+    CHECK(same_state(engine->save(), other->save()));
+    CHECK(engine->profile().of(StepPart::follow) > 0.0); // the band was laid out anew on the way
+}
+
+TEST_CASE("how far the images have moved is the sum of all steps' speeds") {
+    FlowTimes times{100, 400, 50};
+    double sum = 0.0;
+    for (std::int64_t step = 0; step < 600; ++step) {
+        CHECK(times.total(step) == Approx(sum).margin(1e-9));
+        sum += times.strength(step);
+    }
+    times.ramp = 0;
+    CHECK(times.total(1000) == 300.0);
+}
