@@ -56,6 +56,8 @@ struct PeriodicEnds {
 struct WallEnds {
     Vec3<double> lower_velocity{}; ///< along the wall, cells/step
     Vec3<double> upper_velocity{};
+    FlowTimes lower_times{}; ///< of each velocity
+    FlowTimes upper_times{};
 
     friend bool operator==(const WallEnds&, const WallEnds&) = default;
 };

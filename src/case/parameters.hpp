@@ -174,6 +174,7 @@ struct VesicleParameters {
     Vec3<double> centre{};
     double radius = 0.0; ///< of the sphere of equal volume, cells
     Vec3<double> axis{0.0, 0.0, 1.0};
+    std::optional<Vec3<double>> buoyancy; ///< instead of its type's
     std::vector<Perturbation> perturbations;
 
     friend bool operator==(const VesicleParameters&, const VesicleParameters&) = default;
@@ -243,6 +244,10 @@ struct Parameters {
         for (int a = 0; a < 3; ++a)
             cells[a] += is_bounded(a) ? wall_layers : 0;
         return cells;
+    }
+
+    const Vec3<double>& buoyancy_of(const VesicleParameters& vesicle) const {
+        return vesicle.buoyancy ? *vesicle.buoyancy : types.at(vesicle.type).buoyancy;
     }
 
     /// The flow whose box slides past its own images, if there is one.

@@ -15,6 +15,9 @@
 namespace vesica {
 namespace {
 
+/// What enters too suddenly leaves an error behind that is never damped.
+constexpr std::int64_t gentle_steps = 200;
+
 int axis_of(const std::string& name) {
     return name == "x" ? 0 : name == "y" ? 1 : 2;
 }
@@ -23,10 +26,11 @@ const char* axis_name(int axis) {
     return axis == 0 ? "x" : axis == 1 ? "y" : "z";
 }
 
-FlowTimes read_times(const CaseValues& values, const std::string& table) {
+/// `gentle` is the ramp of an end that does not say it.
+FlowTimes read_times(const CaseValues& values, const std::string& table, std::int64_t gentle = 0) {
     FlowTimes times;
     times.start = values.integer(table + ".start");
-    times.ramp = values.integer(table + ".ramp");
+    times.ramp = values.find(table + ".ramp") ? values.integer(table + ".ramp") : gentle;
     if (values.find(table + ".stop")) {
         times.stop = values.integer(table + ".stop");
         if (times.stop < times.start)
@@ -64,7 +68,7 @@ OpenEnds read_open(const CaseValues& values, const std::string& inlet, const std
                                   axis == 1 ? (enters_below ? "0.01" : "-0.01") : "0",
                                   axis == 2 ? (enters_below ? "0.01" : "-0.01") : "0"));
     ends.parabolic = values.text(inlet + ".profile") == "parabolic";
-    ends.times.ramp = values.integer(inlet + ".ramp");
+    ends.times = read_times(values, inlet, gentle_steps);
     ends.outlet_pressure = values.number(outlet + ".pressure");
     return ends;
 }
@@ -92,7 +96,8 @@ void read_ends(const CaseValues& values, int axis, Parameters& parameters) {
                                   type == "wall" ? "a" : "an", type, partner));
     AxisEnds& ends = parameters.ends[static_cast<std::size_t>(axis)];
     if (type == "wall")
-        ends = WallEnds{read_wall(values, lower, axis), read_wall(values, upper, axis)};
+        ends = WallEnds{read_wall(values, lower, axis), read_wall(values, upper, axis),
+                        read_times(values, lower), read_times(values, upper)};
     else if (type == "inlet")
         ends = read_open(values, lower, upper, axis, true);
     else

@@ -119,6 +119,11 @@ VesicleParameters build_vesicle(const CaseValues& values, const std::string& pat
         vesicle.centre[a] = values.number(path + ".centre", static_cast<std::size_t>(a));
         vesicle.axis[a] = values.number(path + ".axis", static_cast<std::size_t>(a));
     }
+    if (values.find(path + ".buoyancy")) {
+        vesicle.buoyancy.emplace();
+        for (int a = 0; a < 3; ++a)
+            (*vesicle.buoyancy)[a] = values.number(path + ".buoyancy", static_cast<std::size_t>(a));
+    }
     const bool mesh = std::holds_alternative<MeshShape>(vesicle.shape);
     if (values.find(path + ".radius")) {
         vesicle.radius = values.number(path + ".radius");

@@ -97,13 +97,29 @@ std::vector<CaseKey> detail::flow_keys() {
                  .default_value = "\"uniform\"",
                  .choices = {"uniform", "parabolic"},
                  .condition = {"type", {"inlet"}}});
-            keys.push_back({.path = table + "ramp",
+            const KeyCondition moves{"type", {"wall", "inlet"}};
+            keys.push_back({.path = table + "start",
                             .kind = KeyKind::steps,
-                            .meaning = "time over which what enters grows to its full velocity",
-                            .default_value = gentle,
+                            .meaning = "when the wall, or what enters, begins to move",
+                            .default_value = "0",
                             .dimension = dimension::time,
                             .range = step_count,
-                            .condition = {"type", {"inlet"}}});
+                            .condition = moves});
+            keys.push_back({.path = table + "stop",
+                            .kind = KeyKind::steps,
+                            .meaning = "when it ends; absent: never",
+                            .example = "40000",
+                            .dimension = dimension::time,
+                            .range = step_count,
+                            .condition = moves});
+            keys.push_back({.path = table + "ramp",
+                            .kind = KeyKind::steps,
+                            .meaning = "time over which it grows to its full velocity, and dies from its end "
+                                       "on; absent: 0 of a wall, 200 steps of what enters",
+                            .example = "200",
+                            .dimension = dimension::time,
+                            .range = step_count,
+                            .condition = moves});
             keys.push_back({.path = table + "pressure",
                             .kind = KeyKind::number,
                             .meaning = "where the fluid leaves, above that of the fluid at rest",

@@ -148,6 +148,8 @@ void write_vesicle(Resolver& out, const VesicleParameters& vesicle, const std::v
     if (vesicle.radius > 0.0)
         out.number("radius", vesicle.radius);
     out.point("axis", vesicle.axis);
+    if (vesicle.buoyancy)
+        out.point("buoyancy", *vesicle.buoyancy);
     for (std::size_t i = 0; i < vesicle.perturbations.size(); ++i) {
         out.header("[[vesicle.perturbation]]", fmt::format("{}.perturbation[{}]", path, i));
         if (const auto* mode = std::get_if<HarmonicPerturbation>(&vesicle.perturbations[i])) {

@@ -26,7 +26,7 @@ void write_open(Resolver& out, const OpenEnds& open, int axis) {
     velocity[axis] = open.enters_below ? open.velocity : -open.velocity;
     out.point("velocity", velocity);
     out.text("profile", open.parabolic ? "parabolic" : "uniform");
-    out.steps("ramp", open.times.ramp);
+    write_times(out, open.times);
     out.header("[" + outlet + "]", outlet);
     out.text("type", "outlet");
     out.number("pressure", open.outlet_pressure);
@@ -45,12 +45,15 @@ void detail::write_boundary(Resolver& out, const Parameters& parameters) {
             (parameters.flow.shear && parameters.flow.shear->gradient == axis) || parameters.flow.extension;
         if (walls == nullptr || of_flow)
             continue;
-        for (const auto& [side, velocity] :
-             {std::pair("lower", walls->lower_velocity), std::pair("upper", walls->upper_velocity)}) {
+        for (const auto& [side, velocity, times] :
+             {std::tuple("lower", walls->lower_velocity, walls->lower_times),
+              std::tuple("upper", walls->upper_velocity, walls->upper_times)}) {
             const std::string path = fmt::format("boundary.{}.{}", axis_name(axis), side);
             out.header("[" + path + "]", path);
             out.text("type", "wall");
             out.point("velocity", velocity);
+            if (velocity != Vec3<double>{})
+                write_times(out, times);
         }
     }
 }

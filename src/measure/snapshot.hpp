@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace vesica {
@@ -60,6 +61,14 @@ struct VesicleSnapshot {
     double colour_mass = 0.0; ///< exact sum of this vesicle's density
 };
 
+/// A box that slides past its images (Lees-Edwards): those above have moved on.
+struct SlidingImages {
+    int gradient = 2;          ///< axis
+    int velocity = 0;          ///< axis
+    double displacement = 0.0; ///< cells, not less whole boxes
+    double speed = 0.0;
+};
+
 struct Snapshot {
     std::int64_t step = 0;
     std::vector<VesicleSnapshot> vesicles;
@@ -72,6 +81,7 @@ struct Snapshot {
     double shear_rate = 0.0;      ///< at present, of the shear that is driven
     Vec3<double> size{};          ///< of the fluid's box, cells
     Vec3<bool> walls{};           ///< at both ends of an axis
+    std::optional<SlidingImages> sliding;
 };
 
 } // namespace vesica

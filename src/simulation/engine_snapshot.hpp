@@ -243,6 +243,9 @@ Snapshot LatticeEngine<Real>::snapshot() const {
         snapshot.size[a] = setup_.drive.size()[a];
         snapshot.walls[a] = setup_.drive.has_walls(a);
     }
+    if (block_.slide)
+        snapshot.sliding = SlidingImages{block_.slide->gradient, block_.slide->velocity,
+                                         setup_.drive.displacement(step_), setup_.drive.slide_speed(step_)};
     if (solids_) {
         std::vector<WallForce> forces(FlowDrive::wall_count);
         walls_.add_forces(streaming_, forces);
@@ -264,7 +267,7 @@ Snapshot LatticeEngine<Real>::snapshot() const {
         if (setup_.drive.has_walls(a) || setup_.drive.is_open(a))
             period[a] = 0;
     const Unwrap unwrap(period, middle(), block_.slide,
-                        block_.slide ? setup_.drive.displacement(step_) : 0.0);
+                        snapshot.sliding ? snapshot.sliding->displacement : 0.0);
 
     std::vector<InterfaceCell> cells = layer_cells();
     std::vector<InsideSpan> inside = inside_spans();
@@ -281,7 +284,7 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     if (!ranks().leads())
         return snapshot;
     // Beyond sliding faces velocities are those that the images there have.
-    const double slide_speed = block_.slide ? setup_.drive.slide_speed(step_) : 0.0;
+    const double slide_speed = snapshot.sliding ? snapshot.sliding->speed : 0.0;
     Vec3<double> gained{};
     const auto gain = [&](const Vec3<int>& cell, double mass) {
         Vec3<double> u{};

@@ -34,7 +34,7 @@ FlowDrive::FlowDrive(const Parameters& parameters)
       obstacles_(solid_voxels(parameters)),
       has_solids_(parameters.is_bounded() || obstacles_ != nullptr) {
     if (!parameters.vesicles.empty())
-        buoyancy_ = parameters.types.at(parameters.vesicles.front().type).buoyancy;
+        buoyancy_ = parameters.buoyancy_of(parameters.vesicles.front());
 }
 
 /// Where the layers of two axes meet, walls count before ends that let fluid through, and then the first
@@ -110,6 +110,10 @@ std::array<WallState, FlowDrive::wall_count> FlowDrive::walls(std::int64_t step)
         WallState& upper = states[static_cast<std::size_t>(upper_end(a))];
         if (const FlowTimes* times = times_of(a))
             lower.strength = upper.strength = times->strength(step);
+        else if (const auto* walls = std::get_if<WallEnds>(&ends_[static_cast<std::size_t>(a)])) {
+            lower.strength = walls->lower_times.strength(step);
+            upper.strength = walls->upper_times.strength(step);
+        }
         if (const auto* open = std::get_if<OpenEnds>(&ends_[static_cast<std::size_t>(a)])) {
             WallState& outlet = open->enters_below ? upper : lower;
             outlet.open = true;

@@ -202,7 +202,9 @@ void judge_flow(const Parameters& parameters, const Plan& plan, const RunParamet
         const VesicleType& type = parameters.types[parameters.vesicles[index].type];
         const double radius = plan.vesicles[index].radius;
         if (plan.vesicles[index].buoyant_speed > fastest)
-            add(remarks, Severity::error, "vesicle_type." + type.name + ".buoyancy",
+            add(remarks, Severity::error,
+                parameters.vesicles[index].buoyancy ? fmt::format("vesicle[{}].buoyancy", index)
+                                                    : "vesicle_type." + type.name + ".buoyancy",
                 " moves vesicle[{}] at up to {:.3g} cells per step, Mach {:.2f}; expected at most Mach 0.1; "
                 "try {:.2g} "
                 "of it",
@@ -226,6 +228,14 @@ void judge_flow(const Parameters& parameters, const Plan& plan, const RunParamet
                 " is {}: the run ends before, after {} steps; expected less; try start = 0", times.start,
                 run.steps);
     };
+    for (int axis = 0; axis < 3; ++axis)
+        if (const auto* walls = std::get_if<WallEnds>(&parameters.ends[static_cast<std::size_t>(axis)])) {
+            const std::string table = fmt::format("boundary.{}.", "xyz"[axis]);
+            if (walls->lower_velocity != Vec3<double>{})
+                judge_times(table + "lower", walls->lower_times);
+            if (walls->upper_velocity != Vec3<double>{})
+                judge_times(table + "upper", walls->upper_times);
+        }
     if (flow.shear)
         judge_times("flow.shear", flow.shear->times);
     if (flow.poiseuille)

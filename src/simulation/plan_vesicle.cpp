@@ -76,7 +76,8 @@ VesiclePlan plan_vesicle(const Parameters& parameters, std::size_t vesicle, cons
     const Vec3<int>& size = parameters.size;
     plan.confinement = 2.0 * plan.radius / std::min({size.x, size.y, size.z});
     plan.penalty_modulus = penalty_modulus(type.area, plan.target_area);
-    plan.buoyant_speed = 2.0 / 9.0 * norm(type.buoyancy) * plan.radius * plan.radius / viscosity;
+    plan.buoyant_speed = 2.0 / 9.0 * norm(parameters.buoyancy_of(parameters.vesicles[vesicle])) *
+                         plan.radius * plan.radius / viscosity;
 
     const double R0 = plan.radius;
     const double kappa = type.bending.modulus;

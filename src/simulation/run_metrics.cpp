@@ -86,7 +86,14 @@ const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot) {
         if (snapshot.step <= flow_start_ && on_schedule) // elongation is against the shape the flow finds
             baselines_[vesicle].diameter = largest_diameter(snapshot.vesicles[vesicle]);
         MetricsRow row = measure(snapshot.vesicles[vesicle], snapshot, baselines_[vesicle]);
-        const Vec3<double> centre = trackers_[vesicle].follow({row.x, row.y, row.z});
+        CentreTracker& tracker = trackers_[vesicle];
+        const Vec3<double> centre = tracker.follow({row.x, row.y, row.z}, snapshot.sliding);
+        if (snapshot.sliding) {
+            const double gained = tracker.boxes_slid() * snapshot.sliding->speed;
+            (snapshot.sliding->velocity == 0   ? row.vx
+             : snapshot.sliding->velocity == 1 ? row.vy
+                                               : row.vz) += gained;
+        }
         row.x = centre.x;
         row.y = centre.y;
         row.z = centre.z;

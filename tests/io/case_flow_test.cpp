@@ -41,6 +41,19 @@ TEST_CASE("the walls of a shear are those of its gradient, and the lattice has r
     CHECK(sheared.parameters.flow.shear->times.strength(0) == 1.0);
 }
 
+TEST_CASE("a wall's own velocity has times of its own, and is not gentle unless asked") {
+    const Case moved =
+        read_with({"boundary.z={ lower = { type = \"wall\" }, upper = { type = \"wall\", velocity = "
+                   "[0.01, 0, 0], start = 100, stop = 300, ramp = 40 } }"});
+    const auto& walls = std::get<WallEnds>(moved.parameters.ends[2]);
+    CHECK(walls.upper_times == FlowTimes{100, 300, 40});
+    CHECK(walls.lower_times == FlowTimes{});
+    const Case entered =
+        read_with({"boundary.x={ lower = { type = \"inlet\", velocity = [0.01, 0, 0], start = 50 }, "
+                   "upper = { type = \"outlet\" } }"});
+    CHECK(std::get<OpenEnds>(entered.parameters.ends[0]).times == FlowTimes{50, FlowTimes::never, 200});
+}
+
 TEST_CASE("a flow grows from its start on and dies from its end on") {
     const FlowTimes times{100, 200, 50};
     CHECK(times.strength(99) == 0.0);

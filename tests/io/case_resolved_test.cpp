@@ -46,7 +46,8 @@ TEST_CASE("reading the resolved case gives the same case, bit for bit") {
              {"boundary.y={ lower = { type = \"wall\", velocity = [0.01, 0, 0] }, upper = { type = \"wall\" "
               "} }",
               "flow.poiseuille={ mean_velocity = 0.0123, velocity = \"z\", ramp = 50 }",
-              "flow.body_force={ force = [1e-7, 0, 2e-7] }", "vesicle_type.rbc.buoyancy=[0, 1e-6, 0]"},
+              "flow.body_force={ force = [1e-7, 0, 2e-7] }", "vesicle_type.rbc.buoyancy=[0, 1e-6, 0]",
+              "vesicle[0].buoyancy=[0, 2e-6, 0]"},
              {"boundary.x={ lower = { type = \"outlet\", pressure = 0.001 }, upper = { type = \"inlet\", "
               "velocity = [-0.01, "
               "0, 0], profile = \"parabolic\", ramp = 30 } }",

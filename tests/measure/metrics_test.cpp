@@ -139,6 +139,15 @@ TEST_CASE("a centre is followed through periodic boundaries without jumps", "[me
         REQUIRE(norm(followed - exact) < 1e-11);
         exact = exact + Vec3<double>{3.0, 50.0, -4.0};
     }
+    // Where the box slides, a box downwards is also the way the images have slid since.
+    CentreTracker sliding({40.0, 20.0, 30.0});
+    sliding.follow({10.0, 5.0, 29.5}, SlidingImages{2, 0, 3.0, 0.1});
+    const Vec3<double> above = sliding.follow({6.6, 5.0, 0.5}, SlidingImages{2, 0, 3.5, 0.1});
+    CHECK(above.x == Approx(10.1));
+    CHECK(above.z == Approx(30.5));
+    CHECK(sliding.boxes_slid() == 1.0);
+    CHECK(sliding.follow({6.7, 5.0, 0.9}, SlidingImages{2, 0, 45.0, 0.1}).x == Approx(11.7)); // less a box
+
     CentreTracker resumed({40.0, 0.0, 30.0});
     resumed.restore(tracker.last());
     CHECK(norm(resumed.follow({wrap(exact.x, 40.0), exact.y, wrap(exact.z, 30.0)}) - exact) < 1e-11);

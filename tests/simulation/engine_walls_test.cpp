@@ -123,6 +123,20 @@ TEST_CASE("a duct of moving and resting walls neither gains nor loses fluid") {
     CHECK_FALSE(engine->trouble());
 }
 
+TEST_CASE("a wall moves when its times say so") {
+    Parameters parameters = channel({5, 5, 8}, 2, 1.0 / 3.0);
+    auto& walls = std::get<WallEnds>(parameters.ends[2]);
+    walls.lower_velocity = {-0.01, 0.0, 0.0};
+    walls.upper_velocity = {0.01, 0.0, 0.0};
+    walls.lower_times = {0, 500, 20};
+    walls.upper_times = {500, FlowTimes::never, 20};
+    const auto engine = make_engine(parameters, 1);
+    run(*engine, 480);
+    CHECK(profile(*engine, 2, 0).front() == Approx(-0.01 * 7.5 / 8.0).epsilon(1e-3));
+    run(*engine, 520);
+    CHECK(profile(*engine, 2, 0).front() == Approx(0.01 * 0.5 / 8.0).epsilon(1e-3));
+}
+
 TEST_CASE("a vesicle pressed against a wall by its buoyancy keeps its mass and does not stick") {
     const Precision precision = GENERATE(Precision::double_precision, Precision::single_precision);
     Parameters parameters;

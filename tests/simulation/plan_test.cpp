@@ -241,6 +241,12 @@ TEST_CASE("groups of a flow are those of their definitions, and too much of it i
     const std::string heavy =
         all(make_plan(discocyte({"vesicle_type.rbc.buoyancy=[0, 0, 1e-2]"})), Severity::error);
     CHECK(says(heavy, "vesicle_type.rbc.buoyancy moves vesicle[0]"));
+    CHECK(all(make_plan(
+                  discocyte({"vesicle_type.rbc.buoyancy=[0, 0, 1e-2]", "vesicle[0].buoyancy=[0, 0, 1e-8]"})),
+              Severity::error)
+              .empty()); // its own counts
+    CHECK(says(all(make_plan(discocyte({"vesicle[0].buoyancy=[0, 0, 1e-2]"})), Severity::error),
+               "vesicle[0].buoyancy moves vesicle[0]"));
 }
 
 TEST_CASE("a channel's rate is that at its walls, and its fastest fluid is in the middle") {
