@@ -162,7 +162,9 @@ MetricsRow measure(const VesicleSnapshot& vesicle, const Snapshot& snapshot,
     row.tension = vesicle.tension;
     row.max_speed = snapshot.max_speed;
     row.mass_drift = vesicle.colour_mass / baseline.colour_mass - 1.0;
-    const double gap = distance_to_walls(vesicle, snapshot);
+    double gap = distance_to_walls(vesicle, snapshot);
+    for (const InterfaceCell& cell : vesicle.cells)
+        gap = std::min(gap, cell.to_obstacle);
     row.gap = std::isfinite(gap) ? gap : unknown;
     measure_flow(vesicle, snapshot, baseline, row);
     return row;

@@ -106,6 +106,25 @@ Vec3<double> LatticeEngine<Real>::middle() const {
     return middle;
 }
 
+/// From phi = 0 to the surface of an obstacle, half-way along the links that end there.
+template <class Real>
+double LatticeEngine<Real>::distance_to_obstacle(const InterfaceCell& cell, std::int64_t index) const {
+    double distance = std::numeric_limits<double>::infinity();
+    if (setup_.drive.obstacles() == nullptr)
+        return distance;
+    const Vec3<int> place{static_cast<int>(cell.position.x), static_cast<int>(cell.position.y),
+                          static_cast<int>(cell.position.z)};
+    const bool knows_normal = dot(cell.n, cell.n) > 0.5;
+    for (int i = 1; i < direction_count; ++i) {
+        const Vec3<double> link{1.0 * velocity(i, 0), 1.0 * velocity(i, 1), 1.0 * velocity(i, 2)};
+        if (dot(link, link) > 1.0 || !solids_.has(index + grid_.offset(velocity(i, 0), velocity(i, 1), velocity(i, 2))))
+            continue;
+        if (setup_.drive.link(place, i).wall == 0)
+            distance = std::min(distance, cell.s + 0.5 * (knows_normal ? dot(cell.n, link) : -1.0));
+    }
+    return distance;
+}
+
 /// In the order of the tiles; positions as they lie in the box.
 template <class Real>
 std::vector<InterfaceCell> LatticeEngine<Real>::layer_cells() const {
@@ -155,6 +174,7 @@ std::vector<InterfaceCell> LatticeEngine<Real>::layer_cells() const {
                 }
             }
             cell.force = force_at(index);
+            cell.to_obstacle = distance_to_obstacle(cell, index);
             cells.push_back(cell);
         }
     }

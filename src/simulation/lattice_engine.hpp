@@ -356,6 +356,7 @@ private:
     std::optional<Vec3<int>> cell_at_open_end() const;
     Vec3<double> middle() const;
     std::vector<InterfaceCell> layer_cells() const;
+    double distance_to_obstacle(const InterfaceCell& cell, std::int64_t index) const;
     std::vector<InsideSpan> inside_spans() const;
     ColourSums colour_sums(const std::vector<InterfaceCell>& cells,
                            const std::vector<InsideSpan>& inside) const;

@@ -53,6 +53,7 @@ TEST_CASE("reading the resolved case gives the same case, bit for bit") {
               "0, 0], profile = \"parabolic\", ramp = 30 } }",
               "boundary.z={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }"},
              {"flow.extension={ rate = 1e-4, stretch = \"y\", squeeze = \"x\", stop = 1000 }"},
+             {"flow.shear={ rate = 1e-4, velocity = \"y\", gradient = \"x\", with = \"lees-edwards\" }"},
              {"numerics.geometry=paper", "numerics.precision=single", "numerics.cutoff=0.1"},
              {"output.fields.every=0", "output.surfaces.every=0", "output.checkpoint.every=0"},
          }) {

@@ -103,3 +103,19 @@ TEST_CASE("a vesicle is driven round a post, touches it and keeps its mass") {
     CHECK(std::abs(mass() / before - 1.0) < 1e-12);
     CHECK(metrics_of(*engine).x > 18.0);
 }
+
+TEST_CASE("the gap of a vesicle is that to the nearest obstacle, too") {
+    Parameters parameters;
+    parameters.size = {26, 26, 34};
+    VesicleType type;
+    type.bending.modulus = 0.2;
+    parameters.types = {type};
+    VesicleParameters vesicle;
+    vesicle.radius = 7.0;
+    vesicle.centre = {13.0, 13.0, 15.7};
+    parameters.vesicles = {vesicle};
+    parameters.obstacles = voxels(parameters.size, [](const Vec3<int>& cell) { return cell.z < 5; });
+    CHECK(metrics_of(*make_engine(parameters, 1)).gap == Approx(15.7 - 7.0 - 5.0).margin(0.1));
+    parameters.vesicles.front().centre.z = 15.2;
+    CHECK(metrics_of(*make_engine(parameters, 1)).gap == Approx(15.2 - 7.0 - 5.0).margin(0.1));
+}
