@@ -285,10 +285,40 @@ struct FieldOutput {
     friend bool operator==(const FieldOutput&, const FieldOutput&) = default;
 };
 
+/// Points from one place to another, evenly spaced, both included.
+struct TracerSeeds {
+    Vec3<double> from{};
+    Vec3<double> to{};
+    int count = 1;
+
+    friend bool operator==(const TracerSeeds&, const TracerSeeds&) = default;
+};
+
+/// Points that the fluid carries along.
+struct TracerOutput {
+    std::int64_t every = 0;   ///< steps between rows
+    std::int64_t start = 0;   ///< step of the first release
+    std::int64_t release = 0; ///< steps between releases at each seed; 0: one
+    int membrane = 0;         ///< points round each vesicle, in the plane of the flow
+    std::vector<TracerSeeds> seeds;
+
+    /// Steps at a time in which they are carried: all that happens to them falls on a multiple.
+    std::int64_t stride() const {
+        constexpr std::int64_t longest = 10;
+        for (std::int64_t steps = longest; steps > 1; --steps)
+            if (every % steps == 0 && start % steps == 0 && release % steps == 0)
+                return steps;
+        return 1;
+    }
+
+    friend bool operator==(const TracerOutput&, const TracerOutput&) = default;
+};
+
 struct OutputParameters {
     std::int64_t metrics_every = 0; ///< 0: never
     std::optional<FieldOutput> fields;
     std::int64_t surfaces_every = 0;
+    std::optional<TracerOutput> tracers;
     std::int64_t checkpoint_every = 0;
     int checkpoint_keep = 2;
 

@@ -162,6 +162,40 @@ FieldOutput read_fields(const CaseValues& values, const Vec3<int>& size) {
     return fields;
 }
 
+TracerOutput read_tracers(const CaseValues& values, const Vec3<int>& size) {
+    TracerOutput tracers;
+    tracers.every = values.integer("tracers.every");
+    tracers.start = values.integer("tracers.start");
+    tracers.release = values.integer("tracers.release");
+    tracers.membrane = static_cast<int>(values.integer("tracers.membrane"));
+    const auto point = [&](const std::string& path) {
+        const Vec3<double> place{values.number(path, 0), values.number(path, 1), values.number(path, 2)};
+        for (int a = 0; a < 3; ++a)
+            if (place[a] < 0.0 || place[a] > size[a])
+                values.refuse(path, fmt::format("expected a point in the box, from 0 to {} along {}; try the "
+                                                "middle, {:g}",
+                                                size[a], "xyz"[a], 0.5 * size[a]));
+        return place;
+    };
+    if (const auto found = values.tables.find("tracers.seeds[]"); found != values.tables.end())
+        for (const std::string& path : found->second) {
+            TracerSeeds seeds;
+            seeds.from = seeds.to = point(path + ".from");
+            if (values.find(path + ".to"))
+                seeds.to = point(path + ".to");
+            seeds.count = static_cast<int>(values.integer(path + ".count"));
+            if (seeds.count > 1 && seeds.from == seeds.to)
+                values.refuse(path + ".count",
+                              fmt::format("expected 1, as the first point is the last; try {}.to", path));
+            tracers.seeds.push_back(seeds);
+        }
+    if (tracers.seeds.empty() && tracers.membrane == 0)
+        values.refuse("tracers.every",
+                      "expected points as well; try [[tracers.seeds]] with from, to and count, "
+                      "or tracers.membrane = 8");
+    return tracers;
+}
+
 OutputParameters read_output(const CaseValues& values, const Vec3<int>& size) {
     OutputParameters output;
     output.metrics_every = values.integer("output.metrics.every");
@@ -172,6 +206,8 @@ OutputParameters read_output(const CaseValues& values, const Vec3<int>& size) {
     }
     if (values.has_table("output.surfaces"))
         output.surfaces_every = values.integer("output.surfaces.every");
+    if (values.has_table("tracers"))
+        output.tracers = read_tracers(values, size);
     if (values.has_table("output.checkpoint")) {
         output.checkpoint_every = values.integer("output.checkpoint.every");
         output.checkpoint_keep = static_cast<int>(values.integer("output.checkpoint.keep"));

@@ -142,14 +142,21 @@ void read_shear(const CaseValues& values, Parameters& parameters) {
                         axis_name(shear.gradient), axis_name((shear.velocity + 2) % 3)));
     const bool slides = values.text("flow.shear.with") == "lees-edwards";
     shear.with = slides ? ShearBy::lees_edwards : ShearBy::walls;
-    if (slides && parameters.is_bounded(shear.gradient))
+    for (int axis = 0; slides && axis < 3; ++axis)
+        if (parameters.is_bounded(axis))
+            values.refuse(
+                "flow.shear.with",
+                fmt::format("expected no [boundary.{}] with it: lees-edwards shears a box that is periodic "
+                            "along all axes, and whatever stands still at an end would tear where the images "
+                            "slide; try with = \"walls\", or remove [boundary.{}]",
+                            axis_name(axis), axis_name(axis)));
+    constexpr int thinnest = 10; // of what images beyond the faces the band looks at
+    if (slides && parameters.size[shear.gradient] < thinnest)
         values.refuse(
-            "flow.shear.with",
-            fmt::format(
-                "expected no [boundary.{}] with it: lees-edwards shears a box that is periodic across "
-                "the gradient, and walls there would stand in the way; try with = \"walls\" without "
-                "[boundary.{}], or remove [boundary.{}]",
-                axis_name(shear.gradient), axis_name(shear.gradient), axis_name(shear.gradient)));
+            "lattice.size",
+            fmt::format("expected at least {} cells along {}, where flow.shear with lees-edwards lets the "
+                        "images slide; try {}",
+                        thinnest, axis_name(shear.gradient), thinnest));
     for (const int axis : {shear.gradient, shear.velocity})
         if (parameters.is_bounded(axis))
             values.refuse(

@@ -101,7 +101,10 @@ private:
                 "vesicle[1] is not available yet (more than one vesicle); expected one [[vesicle]]; try "
                 "removing the others");
         }
-        const std::string header = generic == "vesicle[]" ? "[[vesicle]]" : "[[vesicle.perturbation]]";
+        std::string header = generic;
+        for (auto at = header.find("[]"); at != std::string::npos; at = header.find("[]"))
+            header.erase(at, 2);
+        header = "[[" + header + "]]";
         if (!node.array())
             refuse_as_table(node, path, "an array of tables", header);
         for (std::size_t i = 0; i < node.array()->size(); ++i) {

@@ -178,6 +178,21 @@ void write_run(Resolver& out, const Case& resolved) {
     out.steps("stop_when_steady.over", steady.over);
 }
 
+void write_tracers(Resolver& out, const TracerOutput& tracers) {
+    out.header("[tracers]", "tracers");
+    out.steps("every", tracers.every);
+    out.steps("start", tracers.start);
+    out.steps("release", tracers.release);
+    out.whole("membrane", tracers.membrane);
+    for (std::size_t index = 0; index < tracers.seeds.size(); ++index) {
+        out.header("[[tracers.seeds]]", fmt::format("tracers.seeds[{}]", index));
+        out.point("from", tracers.seeds[index].from);
+        if (tracers.seeds[index].count > 1)
+            out.point("to", tracers.seeds[index].to);
+        out.whole("count", tracers.seeds[index].count);
+    }
+}
+
 void write_output(Resolver& out, const OutputParameters& output) {
     out.header("[output]", "output");
     out.steps("metrics.every", output.metrics_every);
@@ -234,6 +249,8 @@ std::string resolved_toml(const Case& resolved) {
     out.text("device", "cpu");
     write_run(out, resolved);
     write_output(out, resolved.output);
+    if (resolved.output.tracers)
+        write_tracers(out, *resolved.output.tracers);
     return out.finish();
 }
 

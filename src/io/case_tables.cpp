@@ -44,6 +44,8 @@ const std::vector<CaseTable>& case_tables() {
         {"output.fields", true, "fields.h5 and fields.xmf."},
         {"output.surfaces", true, "Triangles of the membrane."},
         {"output.checkpoint", true, "States to resume from."},
+        {"tracers", true, "Points that the fluid carries along: tracers.csv."},
+        {"tracers.seeds[]", true, "Where they are released: points along a line."},
         {"units", true, "What the lattice's units are worth; needed as soon as a value has a unit."},
     };
     return tables;
@@ -52,7 +54,6 @@ const std::vector<CaseTable>& case_tables() {
 const std::vector<UnavailableTable>& unavailable_tables() {
     static const std::vector<UnavailableTable> tables{
         {"suspension", "many vesicles"},
-        {"tracers", "passive points"},
     };
     return tables;
 }

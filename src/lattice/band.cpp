@@ -314,6 +314,8 @@ std::size_t Band::bytes() const {
         sum += (of_level_[level].capacity() + rim_of_level_[level].capacity() +
                 inner_of_level_[level].capacity()) *
                sizeof(std::int32_t);
+    for (const std::vector<std::uint8_t>& levels : rim_levels_)
+        sum += levels.capacity();
     for (const PartCells& cells : part_cells_)
         sum += (cells.rim.capacity() + cells.ghosts.capacity()) * sizeof(std::int32_t);
     return sum;

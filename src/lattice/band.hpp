@@ -105,7 +105,7 @@ public:
     /// One per halo part. What arrives through a sliding face are cells of the image there, not ghosts.
     const std::vector<PartCells>& part_cells() const { return part_cells_; }
     /// Like of_level: the tiles that hold cells of which other processes have ghosts, and the rest. Empty in
-    /// a block that is the whole box.
+    /// a block that meets no others, nor images of its own that slide.
     const std::vector<std::int32_t>& rim_of_level(int level) const { return rim_of_level_[level]; }
     const std::vector<std::int32_t>& inner_of_level(int level) const { return inner_of_level_[level]; }
 

@@ -88,7 +88,7 @@ bool BandGrowth::near_sliding_face(const Vec3<int>& cell) const {
 /// A value beyond a sliding face is taken from cells beside the one that lies nearest: a core there has to
 /// have as much around them as around itself.
 void BandGrowth::mark_beside(Vec3<int> place) {
-    constexpr int farthest = Displacement::reads / 2;
+    constexpr int farthest = Displacement::reads - 1;
     const int along = block_.slide->velocity;
     const int length = wide_.size()[along];
     const int middle = place[along];

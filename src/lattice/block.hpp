@@ -28,6 +28,7 @@ struct Block {
 
     static Block whole(const Vec3<int>& box) { return {box, {{}, box}, {}, {}}; }
 
+    /// Nothing lies beyond it but its own other end: no axis is divided.
     bool is_whole() const { return !divided.x && !divided.y && !divided.z; }
 
     /// Whether what lies beyond the end of an axis, the lower one or the upper one, slides.

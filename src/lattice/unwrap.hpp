@@ -3,6 +3,7 @@
 #include "core/vec3.hpp"
 #include "lattice/block.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -24,13 +25,18 @@ public:
     Vec3<double> shift(const Vec3<int>& cell) const {
         Vec3<double> shift{};
         if (slide_)
-            shift[slide_->velocity] = boxes(slide_->gradient, cell, 0.0) * displacement_;
+            shift[slide_->velocity] = boxes(slide_->gradient, cell, 0.0) * whole_if_nearly(displacement_);
         for (int a = 0; a < 3; ++a)
             shift[a] += boxes(a, cell, shift[a]) * size_[a];
         return shift;
     }
 
 private:
+    /// What is whole but for rounding would else be the cell below and nearly one more.
+    static double whole_if_nearly(double cells) {
+        return std::abs(cells - std::round(cells)) < 1e-9 * std::max(1.0, std::abs(cells)) ? std::round(cells)
+                                                                                           : cells;
+    }
     double boxes(int axis, const Vec3<int>& cell, double shifted) const {
         if (size_[axis] == 0)
             return 0.0;

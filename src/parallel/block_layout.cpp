@@ -105,7 +105,7 @@ void BlockLayout::balance(int axis, const std::vector<double>& weight) {
 }
 
 bool fits(const Vec3<int>& box, const Vec3<int>& blocks, const std::optional<Slide>& slide) {
-    if (slide && blocks[slide->velocity] != 1)
+    if (slide && (blocks[slide->velocity] != 1 || box[slide->gradient] < narrowest))
         return false;
     for (int a = 0; a < 3; ++a)
         if (blocks[a] < 1 || (blocks[a] > 1 && box[a] / blocks[a] < narrowest))

@@ -184,7 +184,10 @@ void Messages::start() {
     if (!graph_)
         return;
     if (!graph_->group) {
-        std::copy(outgoing_.bytes.begin(), outgoing_.bytes.end(), incoming_.bytes.begin());
+        assert(outgoing_.counts == incoming_.counts);
+        for (std::size_t k = 0; k < outgoing_.counts.size(); ++k)
+            std::copy_n(outgoing_.bytes.begin() + outgoing_.offsets[k], outgoing_.counts[k],
+                        incoming_.bytes.begin() + incoming_.offsets[k]);
         return;
     }
     MPI_Ineighbor_alltoallv(outgoing_.bytes.data(), outgoing_.counts.data(), outgoing_.offsets.data(),

@@ -69,8 +69,12 @@ BlockLayout layout_for(const Vec3<int>& box, int ranks, const std::optional<Vec3
     if (!chosen)
         throw InputError(
             fmt::format("lattice.size is {}; expected a box that {} ranks can share in blocks of "
-                        "at least {} cells along each axis; try mpirun -n {}",
-                        size, ranks, BlockLayout::narrowest, most_blocks(box, ranks, slide)));
+                        "at least {} cells along each axis{}; try mpirun -n {}",
+                        size, ranks, BlockLayout::narrowest,
+                        slide ? fmt::format(", of which there is one along {}, where the images slide",
+                                            "xyz"[slide->velocity])
+                              : std::string(),
+                        most_blocks(box, ranks, slide)));
     return {box, *chosen, slide};
 }
 

@@ -27,6 +27,11 @@ public:
         post_.announce(Order::field);
         return post_.field(std::string(name));
     }
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places,
+                                         double ahead) const override {
+        post_.announce(Order::velocities);
+        return post_.velocities(places, ahead);
+    }
     std::optional<Trouble> trouble() const override {
         post_.announce(Order::trouble);
         return post_.together([&] { return own().trouble(); });

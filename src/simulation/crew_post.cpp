@@ -64,6 +64,9 @@ void CrewPost::carry_out(Order order) {
     case Order::field:
         field({});
         break;
+    case Order::velocities:
+        velocities({}, 0.0);
+        break;
     case Order::trouble:
         together([&] { engine_->trouble(); });
         break;
@@ -136,6 +139,15 @@ void CrewPost::load(const std::string& checkpoint, const StateChange& change) {
 DenseField CrewPost::field(const std::string& name) {
     const std::string text = ranks_.broadcast(name);
     return together([&] { return engine_->field(text); });
+}
+
+std::vector<Vec3<double>> CrewPost::velocities(const std::vector<Vec3<double>>& places, double ahead) {
+    const auto count = broadcast_value(ranks_, static_cast<std::uint64_t>(places.size()));
+    const double when = broadcast_value(ranks_, ahead);
+    std::vector<Vec3<double>> all = places;
+    all.resize(count);
+    ranks_.broadcast(std::as_writable_bytes(std::span(all)));
+    return together([&] { return engine_->velocities(all, when); });
 }
 
 void CrewPost::write(const StateFile& file, const StatePlanes* own_part) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace vesica {
 
@@ -16,6 +17,7 @@ enum class Order : std::int32_t {
     step,
     snapshot,
     field,
+    velocities,
     trouble,
     write,
     digest,
@@ -73,6 +75,7 @@ public:
     Digest digest(const std::string& file, std::uint64_t offset, std::uint64_t length,
                   const std::string& target);
     DenseField field(const std::string& name);
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places, double ahead);
     SharedOut shared_out();
 
 private:

@@ -3,6 +3,7 @@
 #include "simulation/engine_entries.hpp"
 #include "simulation/engine_fields.hpp"
 #include "simulation/engine_snapshot.hpp"
+#include "simulation/engine_velocities.hpp"
 
 namespace vesica {
 

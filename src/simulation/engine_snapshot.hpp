@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <tuple>
 
@@ -40,14 +41,16 @@ std::vector<T> gathered_list(const Ranks& ranks, std::vector<T> own, const Less&
     return all;
 }
 
-} // namespace detail
-
-namespace detail {
+/// The one an unmoved cell of the layer lies in.
+inline Vec3<int> cell_of(const InterfaceCell& cell) {
+    return {static_cast<int>(cell.position.x), static_cast<int>(cell.position.y),
+            static_cast<int>(cell.position.z)};
+}
 
 /// A mean of positions that counts a box's periodic images as one: each adds its direction round the box.
 class CircularMean {
 public:
-    explicit CircularMean(double period) : turn_(2.0 * 3.14159265358979323846 / period) {}
+    explicit CircularMean(double period) : turn_(2.0 * std::numbers::pi / period) {}
 
     void add(double place, double count) {
         sine_ += count * std::sin(turn_ * place);
@@ -55,7 +58,7 @@ public:
     }
     double value() const {
         const double angle = std::atan2(sine_, cosine_) / turn_;
-        return angle < 0.0 ? angle + 2.0 * 3.14159265358979323846 / turn_ : angle;
+        return angle < 0.0 ? angle + 2.0 * std::numbers::pi / turn_ : angle;
     }
 
 private:
@@ -117,7 +120,8 @@ double LatticeEngine<Real>::distance_to_obstacle(const InterfaceCell& cell, std:
     const bool knows_normal = dot(cell.n, cell.n) > 0.5;
     for (int i = 1; i < direction_count; ++i) {
         const Vec3<double> link{1.0 * velocity(i, 0), 1.0 * velocity(i, 1), 1.0 * velocity(i, 2)};
-        if (dot(link, link) > 1.0 || !solids_.has(index + grid_.offset(velocity(i, 0), velocity(i, 1), velocity(i, 2))))
+        if (dot(link, link) > 1.0 ||
+            !solids_.has(index + grid_.offset(velocity(i, 0), velocity(i, 1), velocity(i, 2))))
             continue;
         if (setup_.drive.link(place, i).wall == 0)
             distance = std::min(distance, cell.s + 0.5 * (knows_normal ? dot(cell.n, link) : -1.0));
@@ -208,17 +212,22 @@ std::vector<InsideSpan> LatticeEngine<Real>::inside_spans() const {
 /// Mass and momentum of the vesicle's colour, exact sums over every cell of the block that has some of it.
 template <class Real>
 ColourSums LatticeEngine<Real>::colour_sums(const std::vector<InterfaceCell>& cells,
-                                            const std::vector<InsideSpan>& inside) const {
+                                            const std::vector<InsideSpan>& inside,
+                                            const Unwrap& unwrap) const {
     ColourSums sums;
+    const auto boxes_slid = [&](const Vec3<int>& cell) {
+        return block_.slide ? unwrap.boxes_slid(cell) : 0.0;
+    };
     for (const InterfaceCell& cell : cells)
-        sums.add(0.5 * (1.0 + cell.phi) * cell.density, cell.u);
+        sums.add(0.5 * (1.0 + cell.phi) * cell.density, cell.u, boxes_slid(detail::cell_of(cell)));
     for (const InsideSpan& span : inside)
         for (int k = 0; k < span.count; ++k) {
             const Vec3<int> place = Vec3<int>{span.begin + k, span.y, span.z} - block_.own.begin;
             const std::int64_t cell = grid_.index(place);
             const Moments<double> m = moments_at(cell);
             sums.add(setup_.reference_density + m.density_deviation,
-                     velocity_of(m, setup_.reference_density, whole_force_at(cell)));
+                     velocity_of(m, setup_.reference_density, whole_force_at(cell)),
+                     boxes_slid({span.begin + k, span.y, span.z}));
         }
     return sums;
 }
@@ -291,7 +300,7 @@ Snapshot LatticeEngine<Real>::snapshot() const {
 
     std::vector<InterfaceCell> cells = layer_cells();
     std::vector<InsideSpan> inside = inside_spans();
-    const ColourSums sums = colour_sums(cells, inside).over(ranks());
+    const ColourSums sums = colour_sums(cells, inside, unwrap).over(ranks());
     const auto in_order = [](const auto& a, const auto& b) {
         return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
     };
@@ -304,30 +313,17 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     if (!ranks().leads())
         return snapshot;
     // Beyond sliding faces velocities are those that the images there have.
-    const double slide_speed = snapshot.sliding ? snapshot.sliding->speed : 0.0;
-    Vec3<double> gained{};
-    const auto gain = [&](const Vec3<int>& cell, double mass) {
-        Vec3<double> u{};
-        if (block_.slide) {
-            u[block_.slide->velocity] = unwrap.boxes_slid(cell) * slide_speed;
-            gained = gained + mass * u;
-        }
-        return u;
-    };
-    for (const InsideSpan& span : inside)
-        gain({span.begin, span.y, span.z}, span.count * setup_.reference_density);
+    if (snapshot.sliding)
+        for (InterfaceCell& cell : vesicle.cells)
+            cell.u[snapshot.sliding->velocity] +=
+                unwrap.boxes_slid(detail::cell_of(cell)) * snapshot.sliding->speed;
     for (InterfaceCell& cell : vesicle.cells)
-        cell.u = cell.u + gain({static_cast<int>(cell.position.x), static_cast<int>(cell.position.y),
-                                static_cast<int>(cell.position.z)},
-                               0.5 * (1.0 + cell.phi) * cell.density);
-    for (InterfaceCell& cell : vesicle.cells)
-        cell.position = cell.position +
-                        unwrap.shift({static_cast<int>(cell.position.x), static_cast<int>(cell.position.y),
-                                      static_cast<int>(cell.position.z)});
+        cell.position = cell.position + unwrap.shift(detail::cell_of(cell));
     vesicle.inside = detail::unwrapped(inside, unwrap);
     vesicle.colour_mass = sums.mass.value();
-    vesicle.momentum =
-        Vec3<double>{sums.momentum[0].value(), sums.momentum[1].value(), sums.momentum[2].value()} + gained;
+    vesicle.momentum = {sums.momentum[0].value(), sums.momentum[1].value(), sums.momentum[2].value()};
+    if (snapshot.sliding)
+        vesicle.momentum[snapshot.sliding->velocity] += sums.slid.value() * snapshot.sliding->speed;
     snapshot.vesicles.push_back(std::move(vesicle));
     return snapshot;
 }

@@ -38,7 +38,8 @@ struct FlowInfluence {
     const SolidCells* solids = nullptr;         ///< null: none
     const BounceBack<Real>* walls = nullptr;    ///< null: none
     const LeesEdwards<Real>* sliding = nullptr; ///< null: no face slides
-    std::function<void()> left{}; ///< called when the populations that leave through sliding faces are known
+    std::function<void()>
+        on_departure{}; ///< called when the populations that leave through sliding faces are known
 
     bool pushes() const { return body_force != Vec3<double>{} || buoyant(); }
     bool buoyant() const { return buoyancy != Vec3<double>{}; }
@@ -71,7 +72,7 @@ public:
           rates_(rates),
           rho0_(reference_density) {}
 
-    /// `others` is null where the block is the whole box.
+    /// `others` is null where the block meets no images in messages.
     template <class Settled>
     void operator()(Streaming streaming, const LayerInfluence<Real>& layer, const FlowInfluence<Real>& flow,
                     RankBoundary<Real>* others, int threads, const Settled& settled) const {
@@ -200,7 +201,7 @@ private:
                                      int threads) const {
         for_each_index(flow.sliding->faces().rows(), threads,
                        [&](std::int64_t row) { flow.sliding->template correct<streaming, Pack<Real>>(row); });
-        flow.left();
+        flow.on_departure();
         if constexpr (streaming == Streaming::turned) {
             slide<streaming>(*flow.sliding, threads);
         } else if (!divided.x) {

@@ -107,6 +107,8 @@ public:
     std::int64_t steps_done() const override { return step_; }
     Snapshot snapshot() const override;
     DenseField field(std::string_view name) const override;
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places,
+                                         double ahead) const override;
     std::optional<Trouble> trouble() const override;
     EngineState save() const override;
     std::unique_ptr<StatePlanes> planes() const override;
@@ -217,7 +219,7 @@ private:
         if (sliding_) {
             sliding_->set(setup_.drive.displacement(step_), setup_.drive.slide_speed(step_));
             flow.sliding = &*sliding_;
-            flow.left = [this] {
+            flow.on_departure = [this] {
                 layer_.count_departing(f_, streaming_, setup_.threads);
             };
         }
@@ -358,8 +360,8 @@ private:
     std::vector<InterfaceCell> layer_cells() const;
     double distance_to_obstacle(const InterfaceCell& cell, std::int64_t index) const;
     std::vector<InsideSpan> inside_spans() const;
-    ColourSums colour_sums(const std::vector<InterfaceCell>& cells,
-                           const std::vector<InsideSpan>& inside) const;
+    ColourSums colour_sums(const std::vector<InterfaceCell>& cells, const std::vector<InsideSpan>& inside,
+                           const Unwrap& unwrap) const;
 
     /// body(place in the block's canonical order z, y, x; index in the grid)
     template <class Body>
@@ -383,7 +385,7 @@ private:
     Vec3<double> answer_{}; ///< to the buoyancy, per volume
     AnyFluidStep<Real> fluid_;
     Layer<Real> layer_;
-    std::optional<RankBoundary<Real>> others_; ///< none where the block is the whole box
+    std::optional<RankBoundary<Real>> others_; ///< none where the block meets no images in messages
     std::optional<LeesEdwards<Real>> sliding_; ///< where the box slides past its images
     Membrane membrane_;
     Streaming streaming_ = Streaming::arrived;

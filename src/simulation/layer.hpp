@@ -161,7 +161,7 @@ public:
         };
         share(Band::outermost, threads, {fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi},
               place_surface);
-        colour_slid_ghosts();
+        colour_slid_ghosts(threads);
         extend_into_solids({fields_.s}, Band::outermost, 1.0, threads);
         area_ = merged(area);
         red_ = merged(red);
@@ -341,8 +341,8 @@ private:
     // Sliding faces: simulation/layer_slide.hpp.
     void join_images();
     void list_face_tiles();
-    void blend_slid_ghosts(std::initializer_list<std::span<Real>> arrays, int level);
-    void colour_slid_ghosts();
+    void blend_slid_ghosts(std::initializer_list<std::span<Real>> arrays, int level, int threads);
+    void colour_slid_ghosts(int threads);
     template <Streaming streaming>
     void count_departing(const PopulationView<Real>& f, int threads);
     template <Streaming streaming>

@@ -20,7 +20,7 @@ void Layer<Real>::share(int level, int threads, std::initializer_list<std::span<
     for_listed_tiles(band_.inner_of_level(level), threads, body);
     copy_ghosts(arrays, threads);
     halo_.finish(arrays, threads);
-    blend_slid_ghosts(arrays, level);
+    blend_slid_ghosts(arrays, level, threads);
 }
 
 /// Beside solids, after arrays have been shared: what a layer of solid cells stands for.
@@ -35,7 +35,7 @@ void Layer<Real>::extend_into_solids(std::initializer_list<std::span<Real>> arra
     copy_ghosts(arrays, threads);
     if (!neighbourhood_->block().is_whole())
         halo_.finish(arrays, threads);
-    blend_slid_ghosts(arrays, level);
+    blend_slid_ghosts(arrays, level, threads);
 }
 
 /// Those that stand for cells of this block.

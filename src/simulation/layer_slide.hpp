@@ -50,7 +50,7 @@ void Layer<Real>::list_face_tiles() {
 
 /// Ghosts beyond sliding faces lie between cells of the images there, of which those in `level` have values.
 template <class Real>
-void Layer<Real>::blend_slid_ghosts(std::initializer_list<std::span<Real>> arrays, int level) {
+void Layer<Real>::blend_slid_ghosts(std::initializer_list<std::span<Real>> arrays, int level, int threads) {
     if (band_.slid_ghosts().empty())
         return;
     const Real pure = signed_distance_of(Real(0), Real(purest), settings_.beta);
@@ -70,22 +70,23 @@ void Layer<Real>::blend_slid_ghosts(std::initializer_list<std::span<Real>> array
                 return fields_.s[at(from)];
             return from == Band::SlidGhost::pure_blue ? pure : -pure;
         };
-        for (const Band::SlidGhost& ghost : band_.slid_ghosts()) {
+        for_each_index(static_cast<std::int64_t>(band_.slid_ghosts().size()), threads, [&](std::int64_t k) {
+            const Band::SlidGhost& ghost = band_.slid_ghosts()[at(k)];
             Real sum = Real(0);
             for (std::size_t n = 0; n < Displacement::reads; ++n)
                 sum += weights[n] * value_of(ghost.from[n], ghost.level[n]);
             array[at(ghost.to)] = sum;
-        }
+        });
     }
 }
 
 /// Colours between cells follow from the distance, which is straight where a layer is flat; a layer's own
 /// profile is too steep for a cubic.
 template <class Real>
-void Layer<Real>::colour_slid_ghosts() {
+void Layer<Real>::colour_slid_ghosts(int threads) {
     const Real pure = signed_distance_of(Real(0), Real(purest), settings_.beta);
-    for (const Band::SlidGhost& ghost : band_.slid_ghosts()) {
-        const std::size_t to = at(ghost.to);
+    for_each_index(static_cast<std::int64_t>(band_.slid_ghosts().size()), threads, [&](std::int64_t k) {
+        const std::size_t to = at(band_.slid_ghosts()[at(k)].to);
         const Real s = fields_.s[to];
         const bool is_red = s < Real(0);
         const bool is_pure = std::abs(s) >= Real(0.999) * pure;
@@ -99,7 +100,7 @@ void Layer<Real>::colour_slid_ghosts() {
         const double phi =
             is_red ? 1.0 - 2.0 * static_cast<double>(minority) : 2.0 * static_cast<double>(minority) - 1.0;
         fields_.psi[to] = static_cast<Real>(spread_force_.profile(phi));
-    }
+    });
 }
 
 template <class Real>

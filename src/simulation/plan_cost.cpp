@@ -61,6 +61,8 @@ constexpr double small_radius = 10.0;
 
 SmallBox measure_small(Parameters parameters, int edge, int threads, const EngineFactory& factory) {
     parameters.size = {edge, edge, edge};
+    if (parameters.sliding() != nullptr)
+        parameters.flow.shear.reset(); // images near the layer would make the small box's larger
     VesicleParameters sphere = parameters.vesicles.front();
     sphere.shape = SphereShape{};
     sphere.perturbations.clear();

@@ -9,8 +9,9 @@ std::optional<Trouble> record_due(const Engine& engine, const Schedule& schedule
     const std::int64_t step = engine.steps_done();
     if (!schedule.anything_due(step))
         return std::nullopt;
-    if (auto trouble = engine.trouble())
-        return trouble;
+    if (schedule.anything_to_write(step))
+        if (auto trouble = engine.trouble())
+            return trouble;
     for (const Event event : all_events)
         if (event != Event::trouble && schedule.due(event, step))
             observer.record(event, engine);

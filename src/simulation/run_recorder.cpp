@@ -107,6 +107,8 @@ RunRecorder::RunRecorder(const Case& what, const OutputDirectory& directory, Run
       checkpoints_(directory / "checkpoints", std::max(1, what.output.checkpoint_keep)) {
     if (what.output.fields)
         fields_.emplace(what, directory.path(), resumed);
+    if (what.output.tracers)
+        tracers_.emplace(what, directory, resumed);
 }
 
 void RunRecorder::record(Event event, const Engine& engine) {
@@ -127,6 +129,14 @@ void RunRecorder::record(Event event, const Engine& engine) {
         break;
     case Event::surfaces:
         write_surfaces(engine);
+        break;
+    case Event::tracers:
+        if (tracers_)
+            tracers_->write(engine);
+        break;
+    case Event::carry:
+        if (tracers_)
+            tracers_->carry(engine);
         break;
     case Event::checkpoint:
         write_checkpoint(engine);
@@ -159,6 +169,10 @@ void RunRecorder::write_checkpoint(const Engine& engine) {
     checkpoint.notes = metrics_.notes();
     if (fields_)
         checkpoint.notes.merge(fields_->notes());
+    if (tracers_) {
+        tracers_->flush();
+        checkpoint.notes.merge(tracers_->notes());
+    }
     checkpoint.program_version = version;
     const std::filesystem::path path = checkpoints_.write(checkpoint, *engine.planes(), colleagues_);
     log_.information(fmt::format("step {}: checkpoint {}", engine.steps_done(), path.filename().string()));

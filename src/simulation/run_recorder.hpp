@@ -11,6 +11,7 @@
 #include "simulation/run_fields.hpp"
 #include "simulation/run_loop.hpp"
 #include "simulation/run_metrics.hpp"
+#include "simulation/run_tracers.hpp"
 #include "simulation/stop.hpp"
 
 #include <optional>
@@ -30,6 +31,8 @@ public:
     void restore(const RunMetrics::Notes& notes) {
         if (fields_)
             fields_->restore(notes);
+        if (tracers_)
+            tracers_->restore(notes);
     }
 
     void record(Event event, const Engine& engine) override;
@@ -54,6 +57,7 @@ private:
     MetricsFile metrics_file_;
     std::optional<RunFields> fields_;
     std::optional<SurfaceSeries> surfaces_;
+    std::optional<RunTracers> tracers_;
     CheckpointStore checkpoints_;
     double seconds_ = 0.0;
 };

@@ -26,6 +26,10 @@ Schedule::Schedule(const OutputParameters& output) {
     set(Event::metrics, output.metrics_every);
     set(Event::surfaces, output.surfaces_every);
     set(Event::checkpoint, output.checkpoint_every);
+    if (output.tracers) {
+        set(Event::tracers, output.tracers->every);
+        set(Event::carry, output.tracers->stride());
+    }
     if (output.fields) {
         set(Event::fields, output.fields->every);
         if (output.fields->average)
@@ -42,6 +46,11 @@ bool Schedule::due(Event event, std::int64_t step) const {
     if (period == 0 || (step == 0 && event == Event::checkpoint))
         return false;
     return step % period == 0;
+}
+
+bool Schedule::anything_to_write(std::int64_t step) const {
+    return std::any_of(all_events.begin(), all_events.end(),
+                       [&](Event event) { return event != Event::carry && due(event, step); });
 }
 
 bool Schedule::anything_due(std::int64_t step) const {

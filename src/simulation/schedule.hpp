@@ -9,15 +9,17 @@ namespace vesica {
 
 /// What may fall due at a step, in the order in which it is done: the checkpoint comes last, so that whatever
 /// a checkpoint's step owes to the output is on disk before the checkpoint is.
-enum class Event { trouble, sample, metrics, fields, surfaces, checkpoint };
+enum class Event { trouble, sample, metrics, fields, surfaces, tracers, carry, checkpoint };
 
-inline constexpr std::array<Event, 6> all_events = {Event::trouble, Event::sample,   Event::metrics,
-                                                    Event::fields,  Event::surfaces, Event::checkpoint};
+inline constexpr std::array<Event, 8> all_events = {Event::trouble, Event::sample,    Event::metrics,
+                                                    Event::fields,  Event::surfaces,  Event::tracers,
+                                                    Event::carry,   Event::checkpoint};
 
 /// When each event falls due: every so many steps, counted from step 0 whatever step a run starts from, so
 /// that two half runs do the same as one whole run.
 class Schedule {
 public:
+    /// `tracers` writes them, and `carry` moves them on, of which nothing is written.
     /// `sample` collects time averages of fields; it falls due only if the case asks for averages.
     explicit Schedule(const OutputParameters& output);
 
@@ -25,6 +27,8 @@ public:
     /// state that the case does not say.
     bool due(Event event, std::int64_t step) const;
     bool anything_due(std::int64_t step) const;
+    /// Something that is written, or looked at for that.
+    bool anything_to_write(std::int64_t step) const;
 
     /// Steps between two occurrences; 0 is never.
     std::int64_t every(Event event) const;

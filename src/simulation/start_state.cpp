@@ -65,7 +65,7 @@ IntactCheckpoint read_start(const Case& what, Colleagues& colleagues) {
     }
 }
 
-void check_model(const Case& what, const Case& before, const std::filesystem::path& path) {
+void check_model(const Case& what, const Case& before, std::int64_t step, const std::filesystem::path& path) {
     const auto other = [&](const std::string& name, const std::string& found, const std::string& expected) {
         refuse(what, "initial.checkpoint",
                fmt::format("{} in {} is {}, but {} here; try the same in both", name, path.string(), found,
@@ -94,6 +94,16 @@ void check_model(const Case& what, const Case& before, const std::filesystem::pa
                    "the box in {} is {}, but {} here; try the same walls in both: the earlier case may have "
                    "[boundary] walls at rest, or this flow with a later start",
                    path.string(), ends_text(then), ends_text(now)));
+    if (const ShearFlow* const slid = then.sliding()) {
+        const double displacement =
+            slid->times.total(step) * slid->rate * static_cast<double>(then.size[slid->gradient]);
+        if (displacement != 0.0)
+            refuse(what, "initial.checkpoint",
+                   fmt::format("in {} the images above the box have moved on by {:g} cells (flow.shear with "
+                               "lees-edwards); expected a state from before that flow, as a case begins with "
+                               "images in their places; try vesica resume, or an earlier step",
+                               path.string(), displacement));
+    }
     if (then.obstacles != now.obstacles)
         refuse(what, "initial.checkpoint",
                fmt::format("[obstacles] in {} are not those here; try the same in both", path.string()));
@@ -125,7 +135,7 @@ void StateChange::apply(EngineState& state) const {
 StartState find_start_state(const Case& what, Colleagues& colleagues) {
     const IntactCheckpoint found = read_start(what, colleagues);
     const Case before = read_case_text(found.checkpoint.case_text, found.path.string());
-    check_model(what, before, found.path);
+    check_model(what, before, found.checkpoint.engine.step, found.path);
     StartState start;
     start.path = found.path;
     start.step = found.checkpoint.engine.step;

@@ -98,6 +98,9 @@ TEST_CASE("flows that do not fit together are refused with the remedy") {
     const std::vector<std::pair<std::vector<std::string>, std::string>> rows{
         {{walls_z, "flow.shear={ rate = 1e-4, with = \"lees-edwards\" }"},
          "flow.shear.with is \"lees-edwards\"; expected no [boundary.z] with it"},
+        {{"boundary.y={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }",
+          "flow.shear={ rate = 1e-4, with = \"lees-edwards\" }"},
+         "flow.shear.with is \"lees-edwards\"; expected no [boundary.y] with it"},
         {{"flow.shear={ rate = 1e-4, with = \"pistons\" }"}, "flow.shear.with is \"pistons\""},
         {{"flow.shear={ rate = 1e-4, velocity = \"z\" }"},
          "expected two different axes for velocity and gradient"},

@@ -132,7 +132,7 @@ bool same_snapshots(const Snapshot& a, const Snapshot& b) {
                    p.has_geometry == q.has_geometry && same_geometry;
         };
         const auto same_span = [](const InsideSpan& p, const InsideSpan& q) {
-            return p.begin == q.begin && p.count == q.count && p.y == q.y && p.z == q.z;
+            return p.begin == q.begin && p.count == q.count && p.y == q.y && p.z == q.z && p.rest == q.rest;
         };
         if (!std::equal(s.cells.begin(), s.cells.end(), t.cells.begin(), t.cells.end(), same_cell) ||
             !std::equal(s.inside.begin(), s.inside.end(), t.inside.begin(), t.inside.end(), same_span) ||

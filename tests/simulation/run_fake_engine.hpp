@@ -52,6 +52,10 @@ public:
         return field;
     }
 
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places, double) const override {
+        return std::vector<Vec3<double>>(places.size(), {0.01, 0.0, 0.0});
+    }
+
     std::optional<Trouble> trouble() const override {
         if (breaks_at < 0 || steps_ < breaks_at)
             return std::nullopt;
