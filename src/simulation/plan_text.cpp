@@ -248,7 +248,7 @@ std::string model_text() {
            "  local inextensibility        the whole area is kept, not that of every patch\n"
            "\n"
            "Not in this version\n"
-           "  suspensions, tracers: one vesicle in a periodic box, a sheared one, or between walls\n";
+           "  suspensions: one vesicle in a periodic box, a sheared one, or between walls\n";
 }
 
 } // namespace vesica
