@@ -27,10 +27,9 @@ public:
         post_.announce(Order::field);
         return post_.field(std::string(name));
     }
-    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places,
-                                         double ahead) const override {
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places) const override {
         post_.announce(Order::velocities);
-        return post_.velocities(places, ahead);
+        return post_.velocities(places);
     }
     std::optional<Trouble> trouble() const override {
         post_.announce(Order::trouble);

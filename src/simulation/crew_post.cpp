@@ -65,7 +65,7 @@ void CrewPost::carry_out(Order order) {
         field({});
         break;
     case Order::velocities:
-        velocities({}, 0.0);
+        velocities({});
         break;
     case Order::trouble:
         together([&] { engine_->trouble(); });
@@ -141,13 +141,12 @@ DenseField CrewPost::field(const std::string& name) {
     return together([&] { return engine_->field(text); });
 }
 
-std::vector<Vec3<double>> CrewPost::velocities(const std::vector<Vec3<double>>& places, double ahead) {
+std::vector<Vec3<double>> CrewPost::velocities(const std::vector<Vec3<double>>& places) {
     const auto count = broadcast_value(ranks_, static_cast<std::uint64_t>(places.size()));
-    const double when = broadcast_value(ranks_, ahead);
     std::vector<Vec3<double>> all = places;
     all.resize(count);
     ranks_.broadcast(std::as_writable_bytes(std::span(all)));
-    return together([&] { return engine_->velocities(all, when); });
+    return together([&] { return engine_->velocities(all); });
 }
 
 void CrewPost::write(const StateFile& file, const StatePlanes* own_part) {

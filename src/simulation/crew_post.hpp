@@ -75,7 +75,7 @@ public:
     Digest digest(const std::string& file, std::uint64_t offset, std::uint64_t length,
                   const std::string& target);
     DenseField field(const std::string& name);
-    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places, double ahead);
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places);
     SharedOut shared_out();
 
 private:

@@ -54,10 +54,8 @@ public:
     virtual DenseField field(std::string_view name) const = 0;
 
     /// The fluid's velocities at points, which need not lie in the box but in any of its images; between the
-    /// cells around by their distances. NaN where there is no fluid. Images of a box that slides are where
-    /// they will be `ahead` steps from now. For the rank that leads; all ask for the same.
-    virtual std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places,
-                                                 double ahead) const = 0;
+    /// cells around by their distances. NaN where there is no fluid. All ranks ask for the same.
+    virtual std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places) const = 0;
 
     /// Looks for NaN or runaway values; cheap enough to be called every hundred steps.
     virtual std::optional<Trouble> trouble() const = 0;

@@ -23,12 +23,11 @@ struct Corner {
 
 /// Each rank tells of its own cells, and of the others' nothing; as sums of bits with zeros that is exact.
 template <class Real>
-std::vector<Vec3<double>> LatticeEngine<Real>::velocities(const std::vector<Vec3<double>>& places,
-                                                          double ahead) const {
+std::vector<Vec3<double>> LatticeEngine<Real>::velocities(const std::vector<Vec3<double>>& places) const {
     constexpr std::size_t corners = 8;
     constexpr std::size_t words = 4; // a velocity, and whether there is fluid
     const double speed = block_.slide ? setup_.drive.slide_speed(step_) : 0.0;
-    const double slid = block_.slide ? setup_.drive.displacement(step_) + ahead * speed : 0.0;
+    const double slid = block_.slide ? setup_.drive.displacement(step_) : 0.0;
     const auto corner_of = [&](Vec3<double> place, std::size_t k) {
         const Vec3<int> upper{static_cast<int>(k & 1), static_cast<int>(k >> 1 & 1),
                               static_cast<int>(k >> 2)};

@@ -107,8 +107,7 @@ public:
     std::int64_t steps_done() const override { return step_; }
     Snapshot snapshot() const override;
     DenseField field(std::string_view name) const override;
-    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places,
-                                         double ahead) const override;
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places) const override;
     std::optional<Trouble> trouble() const override;
     EngineState save() const override;
     std::unique_ptr<StatePlanes> planes() const override;

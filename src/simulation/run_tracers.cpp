@@ -76,7 +76,7 @@ RunTracers::RunTracers(const Case& what, const OutputDirectory& directory,
     : parameters_(what.parameters), output_(*what.output.tracers), file_(file_for(directory, resumed)) {}
 
 void RunTracers::release(const Vec3<double>& place, double seed, std::int64_t step) {
-    tracers_.push_back({count_, seed, static_cast<double>(step), place});
+    tracers_.push_back({count_, seed, static_cast<double>(step), place, {}});
     count_ += 1.0;
 }
 
@@ -107,13 +107,6 @@ void RunTracers::release_due(const Engine& engine) {
         }
 }
 
-std::vector<Vec3<double>> RunTracers::places() const {
-    std::vector<Vec3<double>> places;
-    for (const Tracer& tracer : tracers_)
-        places.push_back(tracer.place);
-    return places;
-}
-
 /// Where there is no fluid nobody is carried any more.
 void RunTracers::drop_lost(const std::vector<Vec3<double>>& velocities) {
     std::size_t kept = 0;
@@ -123,59 +116,81 @@ void RunTracers::drop_lost(const std::vector<Vec3<double>>& velocities) {
     tracers_.resize(kept);
 }
 
+/// The second half of Heun's method: with the velocity where the first half has led, and as it is by now.
+void RunTracers::arrive(const Engine& engine) {
+    const std::int64_t step = engine.steps_done();
+    if (departed_at_ < 0 || step == departed_at_)
+        return;
+    const auto steps = static_cast<double>(step - departed_at_);
+    departed_at_ = -1;
+    if (tracers_.empty())
+        return;
+    std::vector<Vec3<double>> predicted;
+    for (const Tracer& tracer : tracers_)
+        predicted.push_back(tracer.place + steps * tracer.velocity);
+    const std::vector<Vec3<double>> velocities = engine.velocities(predicted);
+    for (std::size_t k = 0; k < tracers_.size(); ++k)
+        tracers_[k].place = tracers_[k].place + 0.5 * steps * (tracers_[k].velocity + velocities[k]);
+    drop_lost(velocities);
+}
+
+/// Their velocities where they are.
+void RunTracers::look_around(const Engine& engine) {
+    if (tracers_.empty())
+        return;
+    std::vector<Vec3<double>> places;
+    for (const Tracer& tracer : tracers_)
+        places.push_back(tracer.place);
+    const std::vector<Vec3<double>> velocities = engine.velocities(places);
+    for (std::size_t k = 0; k < tracers_.size(); ++k)
+        tracers_[k].velocity = velocities[k];
+    drop_lost(velocities);
+}
+
 void RunTracers::write(const Engine& engine) {
+    arrive(engine);
     release_due(engine);
+    look_around(engine);
     const auto step = static_cast<double>(engine.steps_done());
-    const std::vector<Vec3<double>> velocities = engine.velocities(places(), 0.0);
     std::vector<std::vector<double>> rows;
-    for (std::size_t k = 0; k < tracers_.size(); ++k) {
-        const Tracer& tracer = tracers_[k];
-        const Vec3<double>& u = velocities[k];
-        if (!std::isnan(u.x))
-            rows.push_back({step, step, tracer.number, tracer.seed, tracer.released, tracer.place.x,
-                            tracer.place.y, tracer.place.z, u.x, u.y, u.z});
+    for (const Tracer& tracer : tracers_) {
+        const Vec3<double>& u = tracer.velocity;
+        rows.push_back({step, step, tracer.number, tracer.seed, tracer.released, tracer.place.x,
+                        tracer.place.y, tracer.place.z, u.x, u.y, u.z});
     }
     file_.append(rows);
 }
 
 void RunTracers::carry(const Engine& engine) {
+    arrive(engine);
     release_due(engine);
-    if (tracers_.empty())
-        return;
-    const auto steps = static_cast<double>(output_.stride());
-    const std::vector<Vec3<double>> first = engine.velocities(places(), 0.0);
-    std::vector<Vec3<double>> half_way = places();
-    for (std::size_t k = 0; k < half_way.size(); ++k)
-        half_way[k] = half_way[k] + 0.5 * steps * first[k];
-    // Whoever is lost has no place to ask for.
-    drop_lost(first);
-    std::erase_if(half_way, [](const Vec3<double>& place) { return std::isnan(place.x); });
-    const std::vector<Vec3<double>> second = engine.velocities(half_way, 0.5 * steps);
-    for (std::size_t k = 0; k < tracers_.size(); ++k)
-        tracers_[k].place = tracers_[k].place + steps * second[k];
-    drop_lost(second);
+    look_around(engine);
+    departed_at_ = engine.steps_done();
 }
 
 RunTracers::Notes RunTracers::notes() const {
     Notes notes;
     std::vector<double>& list = notes["tracers"];
-    list = {count_, static_cast<double>(released_at_)};
+    list = {count_, static_cast<double>(released_at_), static_cast<double>(departed_at_)};
     for (const Tracer& tracer : tracers_)
         list.insert(list.end(), {tracer.number, tracer.seed, tracer.released, tracer.place.x, tracer.place.y,
-                                 tracer.place.z});
+                                 tracer.place.z, tracer.velocity.x, tracer.velocity.y, tracer.velocity.z});
     return notes;
 }
 
 void RunTracers::restore(const Notes& notes) {
+    constexpr std::size_t head = 3;
+    constexpr std::size_t each = 9;
     const auto found = notes.find("tracers");
-    if (found == notes.end() || found->second.size() < 2 || (found->second.size() - 2) % 6 != 0)
+    if (found == notes.end() || found->second.size() < head || (found->second.size() - head) % each != 0)
         throw RunError("the checkpoint does not remember its tracers");
     const std::vector<double>& list = found->second;
     count_ = list[0];
     released_at_ = static_cast<std::int64_t>(list[1]);
+    departed_at_ = static_cast<std::int64_t>(list[2]);
     tracers_.clear();
-    for (std::size_t k = 2; k < list.size(); k += 6)
-        tracers_.push_back({list[k], list[k + 1], list[k + 2], {list[k + 3], list[k + 4], list[k + 5]}});
+    for (const double* t = list.data() + head; t != list.data() + list.size(); t += each)
+        tracers_.push_back({t[0], t[1], t[2], {t[3], t[4], t[5]}, {t[6], t[7], t[8]}});
 }
 
 } // namespace vesica

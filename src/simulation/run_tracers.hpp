@@ -22,8 +22,7 @@ public:
 
     /// At every multiple of TracerOutput::every.
     void write(const Engine& engine);
-    /// At every multiple of TracerOutput::stride: on to the next, with the fluid's velocity half-way as it is
-    /// now.
+    /// At every multiple of TracerOutput::stride, after write(): on to the next.
     void carry(const Engine& engine);
 
     void flush() { file_.flush(); }
@@ -36,11 +35,13 @@ private:
         double seed = 0.0;
         double released = 0.0; ///< step
         Vec3<double> place{};
+        Vec3<double> velocity{};
     };
 
     void release_due(const Engine& engine);
     void release(const Vec3<double>& place, double seed, std::int64_t step);
-    std::vector<Vec3<double>> places() const;
+    void arrive(const Engine& engine);
+    void look_around(const Engine& engine);
     void drop_lost(const std::vector<Vec3<double>>& velocities);
 
     const Parameters& parameters_;
@@ -48,6 +49,7 @@ private:
     MetricsFile file_;
     std::vector<Tracer> tracers_;
     std::int64_t released_at_ = -1; ///< the last step at which some were
+    std::int64_t departed_at_ = -1; ///< the step their places and velocities are of; -1: now
     double count_ = 0.0;            ///< of all that were ever released
 };
 

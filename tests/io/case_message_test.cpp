@@ -140,14 +140,16 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
          "fluid.kinematic_viscosity"},
         {"[lattice]", "[latice]",
          "case.toml:3:2: latice is not a known key; expected title, lattice, fluid, "
-         "boundary, obstacles, flow, vesicle, initial, numerics, run, output, units or vesicle_type; try "
+         "boundary, obstacles, flow, vesicle, initial, numerics, run, output, tracers, units or "
+         "vesicle_type; try "
          "lattice"},
         {"radius = 15", "rad = 15",
          "case.toml:32:1: vesicle[0].rad is not a known key; expected type, shape, aspect, reduced_volume, "
-         "file, centre, radius, axis or perturbation; try vesicle[0].radius"},
+         "file, centre, radius, axis, buoyancy or perturbation; try vesicle[0].radius"},
         {"radius = 15", "viscosity_ratio = 15",
          "case.toml:32:1: vesicle[0].viscosity_ratio is not a known key; expected type, shape, aspect, "
-         "reduced_volume, file, centre, radius, axis or perturbation; try vesicle_type.NAME.viscosity_ratio"},
+         "reduced_volume, file, centre, radius, axis, buoyancy or perturbation; try "
+         "vesicle_type.NAME.viscosity_ratio"},
         {"[vesicle_type.rbc.bending]", "[vesicle_type.rbc.bendin]",
          "case.toml:17:19: vesicle_type.rbc.bendin is not a known key; expected viscosity_ratio, buoyancy, "
          "bending, area or tension; try vesicle_type.rbc.bending"},
@@ -159,7 +161,7 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
          "try output.metrics.every"},
         {"[[vesicle.perturbation]]", "[[vesicle.perturbations]]",
          "case.toml:34:11: vesicle[0].perturbations is not a known key; expected type, shape, aspect, "
-         "reduced_volume, file, centre, radius, axis or perturbation; try vesicle[0].perturbation"},
+         "reduced_volume, file, centre, radius, axis, buoyancy or perturbation; try vesicle[0].perturbation"},
         {"metrics = { every = 200 }", "metrics = { ever = 200 }",
          "case.toml:51:13: output.metrics.ever is not a known key; expected every; try output.metrics.every"},
     });
@@ -169,9 +171,6 @@ TEST_CASE("what is not available yet is refused and says so") {
     check_messages({
         {"[numerics]", "[suspension]\n[numerics]",
          "case.toml:39:2: suspension is not available yet (many vesicles); expected one vesicle in a "
-         "periodic box or between walls; try removing it"},
-        {"[numerics]", "[tracers]\n[numerics]",
-         "case.toml:39:2: tracers is not available yet (passive points); expected one vesicle in a "
          "periodic box or between walls; try removing it"},
         {"device = \"cpu\"", "device = \"cuda\"",
          "case.toml:43:10: numerics.device is \"cuda\"; that is not available yet; expected \"cpu\" or "

@@ -52,6 +52,9 @@ TEST_CASE("reading the resolved case gives the same case, bit for bit") {
               "velocity = [-0.01, "
               "0, 0], profile = \"parabolic\", ramp = 30 } }",
               "boundary.z={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }"},
+             {"tracers={ every = 50, start = 100, release = 200, membrane = 8, seeds = [{ from = [1, 2, 3] "
+              "}, { from = "
+              "[4, 5, 6], to = [7, 8, 9], count = 5 }] }"},
              {"flow.extension={ rate = 1e-4, stretch = \"y\", squeeze = \"x\", stop = 1000 }"},
              {"flow.shear={ rate = 1e-4, velocity = \"y\", gradient = \"x\", with = \"lees-edwards\" }"},
              {"numerics.geometry=paper", "numerics.precision=single", "numerics.cutoff=0.1"},

@@ -52,7 +52,7 @@ public:
         return field;
     }
 
-    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places, double) const override {
+    std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places) const override {
         return std::vector<Vec3<double>>(places.size(), {0.01, 0.0, 0.0});
     }
 

@@ -63,12 +63,12 @@ TEST_CASE("velocities between cells are those of a shear, in every image of the 
     const Case what = sheared_fluid(with);
     const auto engine = make_engine(what.parameters, 2);
     run(*engine, 4000);
-    const auto u = engine->velocities({{3.2, 4.0, 7.7}, {-20.1, 40.2, 10.0}, {0.1, 0.2, 13.9}}, 0.0);
+    const auto u = engine->velocities({{3.2, 4.0, 7.7}, {-20.1, 40.2, 10.0}, {0.1, 0.2, 13.9}});
     CHECK(u[0].x == Approx(2e-3 * (7.7 - 10.0)).epsilon(1e-6));
     CHECK(u[1].x == Approx(0.0).margin(1e-9));
     CHECK(u[2].x == Approx(2e-3 * 3.9).epsilon(1e-6));
     CHECK(u[0].y == Approx(0.0).margin(1e-12));
-    const Vec3<double> outside = engine->velocities({{3.0, 4.0, 45.3}}, 0.0).front();
+    const Vec3<double> outside = engine->velocities({{3.0, 4.0, 45.3}}).front();
     if (with == ShearBy::walls)
         CHECK(std::isnan(outside.x));
     else // images above move on as the fluid there does
@@ -95,18 +95,16 @@ TEST_CASE("tracers are carried by the fluid, through sliding faces too, and rele
     CHECK(rows.front()[0] == 4000.0);
     CHECK(rows[3][3] == 3.0); // the second line's seed
     CHECK(rows.back()[4] == 4600.0);
-    // The force lifts all by t^2/2, and the shear moves each by what it passes through:
-    // x = x0 + gamma ((z0 - 10) t + (v0 t^2/2 + g t^3/6)), over the box's upper end too.
+    // The force lifts the shear as a whole: each keeps its velocity along, over the box's upper end too.
     for (std::size_t k = 0; k < 4; ++k) {
         const auto& first = rows[k];
         const auto& last = rows[rows.size() - 12 + k];
         REQUIRE(first[2] == last[2]);
         const double t = 700.0;
         const double v0 = first[10];
-        CHECK(last[7] == Approx(first[7] + v0 * t + 0.5e-6 * t * t).margin(2e-3));
-        CHECK(last[5] ==
-              Approx(first[5] + 2e-3 * ((first[7] - 10.0) * t + v0 * t * t / 2.0 + 1e-6 * t * t * t / 6.0))
-                  .margin(0.02));
+        CHECK(last[7] == Approx(first[7] + v0 * t + 0.5e-6 * t * t).margin(1e-4));
+        CHECK(last[5] == Approx(first[5] + first[8] * t).margin(5e-3));
+        CHECK(last[8] == Approx(first[8]).epsilon(1e-4));
     }
     CHECK(rows[rows.size() - 9][7] > 20.0);
 }
@@ -145,8 +143,8 @@ TEST_CASE("points round a vesicle lie on its surface, evenly turned") {
     REQUIRE(points.size() == 8);
     const double width = 7.0 / std::cbrt(1.8);
     CHECK(points[0].x == Approx(16.0 + width).margin(0.06));
-    CHECK(points[2].z == Approx(16.0 + 1.8 * width).margin(0.06));
-    CHECK(points[6].z == Approx(16.0 - 1.8 * width).margin(0.06));
+    CHECK(points[2].z == Approx(16.0 + 1.8 * width).margin(0.1));
+    CHECK(points[6].z == Approx(16.0 - 1.8 * width).margin(0.1));
     const Vec3<double> oblique = points[1] - Vec3<double>{16.0, 16.0, 16.0};
     CHECK(oblique.x == Approx(oblique.z).margin(1e-6));
     CHECK(oblique.x * oblique.x + oblique.z * oblique.z / 3.24 == Approx(width * width).epsilon(0.02));
