@@ -265,6 +265,10 @@ TEST_CASE("a vesicle across sliding faces has the same bits on any ranks") {
     if (engines.ranks.leads())
         CHECK(same_snapshots(together, engines.alone->snapshot()));
     CHECK(engines.shared->profile().of(StepPart::follow) > 0.0); // the images moved on by some cells
+    const std::vector<Vec3<double>> places{{3.2, 40.9, 0.3}, {42.9, 41.8, 40.7}, {-20.0, 100.3, 82.1}};
+    const auto told = engines.shared->velocities(places);
+    if (engines.ranks.leads())
+        CHECK(told == engines.alone->velocities(places));
 }
 
 TEST_CASE("one fluid has no band to tell of") {
