@@ -236,6 +236,10 @@ void judge_flow(const Parameters& parameters, const Plan& plan, const RunParamet
             if (walls->upper_velocity != Vec3<double>{})
                 judge_times(table + "upper", walls->upper_times);
         }
+    if (parameters.wetting != Parameters{}.wetting && !parameters.is_bounded() && !parameters.obstacles)
+        add(remarks, Severity::warning, "boundary.wetting",
+            " is {:g}, but there are no walls or obstacles; expected some; try removing it",
+            parameters.wetting);
     if (flow.shear)
         judge_times("flow.shear", flow.shear->times);
     if (flow.poiseuille)

@@ -286,6 +286,15 @@ TEST_CASE("a vesicle too near to an inlet is refused at once") {
     CHECK(says(text, "cells apart; expected at least 10.5"));
 }
 
+TEST_CASE("wetting without solids is remarked upon") {
+    CHECK(says(all(make_plan(discocyte({"boundary.wetting=0.001"})), Severity::warning),
+               "boundary.wetting is 0.001, but there are no walls or obstacles"));
+    CHECK_FALSE(says(all(make_plan(discocyte()), Severity::warning), "boundary.wetting"));
+    CHECK_FALSE(says(all(make_plan(discocyte({"boundary.wetting=0.001", "flow.shear={ rate = 1e-5 }"})),
+                         Severity::warning),
+                     "boundary.wetting"));
+}
+
 TEST_CASE("solids do not slide: none may lie at the ends of a box that does") {
     Case what = discocyte({"flow.shear={ rate = 1e-5, with = \"lees-edwards\" }"});
     SolidVoxels solids(what.parameters.size);
