@@ -78,6 +78,20 @@ void judge_ends(const Parameters& parameters, std::size_t vesicle, const Shape& 
     }
 }
 
+/// Images that slide past take every place along the flow: what counts is how near they come across it.
+void judge_sliding_image(const Parameters& parameters, std::size_t vesicle, const Shape& shape, double width,
+                         Remarks& remarks) {
+    const ShearFlow* const flow = parameters.sliding();
+    if (flow == nullptr)
+        return;
+    const Vec3<double>& centre = parameters.vesicles[vesicle].centre;
+    const double half = 0.5 * parameters.size[flow->gradient];
+    const double gap = gap_to_plane(shape, centre, flow->gradient, centre[flow->gradient] + half) +
+                       gap_to_plane(shape, centre, flow->gradient, centre[flow->gradient] - half);
+    judge_gap("lattice.size", fmt::format("vesicle[{}] and its own image that slides past", vesicle),
+              "a larger lattice.size", gap, width, remarks);
+}
+
 /// Solids do not slide: there must be none along the faces of a box that does.
 void judge_slide(const Parameters& parameters, const SolidVoxels& solids, Remarks& remarks) {
     const ShearFlow* const flow = parameters.sliding();
@@ -184,6 +198,7 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
         judge_slide(parameters, *plan.obstacles, remarks);
     for (std::size_t a = 0; a < shapes.size(); ++a) {
         judge_ends(parameters, a, *shapes[a], width, remarks);
+        judge_sliding_image(parameters, a, *shapes[a], width, remarks);
         if (plan.obstacles != nullptr)
             judge_obstacles(parameters, *plan.obstacles, a, *shapes[a], width, remarks);
     }

@@ -295,6 +295,19 @@ TEST_CASE("wetting without solids is remarked upon") {
                      "boundary.wetting"));
 }
 
+TEST_CASE("a vesicle that its own image would pass too closely is remarked upon") {
+    // At first the image lies straight above, where a slanted spheroid is far from itself.
+    const auto passing = [](const std::string& with) {
+        return all(make_plan(discocyte({"vesicle[0].shape=spheroid", "vesicle[0].aspect=2.5",
+                                        "vesicle[0].radius=14", "vesicle[0].axis=[1, 0, 1]",
+                                        "lattice.size=[80, 64, 43]", "vesicle[0].centre=[40, 32, 21.5]",
+                                        "flow.shear={ rate = 1e-5, with = \"" + with + "\" }"})),
+                   Severity::warning);
+    };
+    CHECK(says(passing("lees-edwards"), "vesicle[0] and its own image that slides past are"));
+    CHECK_FALSE(says(passing("walls"), "slides past"));
+}
+
 TEST_CASE("solids do not slide: none may lie at the ends of a box that does") {
     Case what = discocyte({"flow.shear={ rate = 1e-5, with = \"lees-edwards\" }"});
     SolidVoxels solids(what.parameters.size);
