@@ -184,6 +184,9 @@ TracerOutput read_tracers(const CaseValues& values, const Vec3<int>& size) {
             if (values.find(path + ".to"))
                 seeds.to = point(path + ".to");
             seeds.count = static_cast<int>(values.integer(path + ".count"));
+            if (seeds.count == 1 && seeds.from != seeds.to)
+                values.refuse(path + ".to",
+                              fmt::format("expected no second point, as {}.count is 1; try count = 2", path));
             if (seeds.count > 1 && seeds.from == seeds.to)
                 values.refuse(path + ".count",
                               fmt::format("expected 1, as the first point is the last; try {}.to", path));

@@ -229,6 +229,10 @@ void judge_flow(const Parameters& parameters, const Plan& plan, const RunParamet
                 run.steps);
     };
     for (int axis = 0; axis < 3; ++axis)
+        if (const auto* open = std::get_if<OpenEnds>(&parameters.ends[static_cast<std::size_t>(axis)]))
+            judge_times(fmt::format("boundary.{}.{}", "xyz"[axis], open -> enters_below ? "lower" : "upper"),
+                        open->times);
+    for (int axis = 0; axis < 3; ++axis)
         if (const auto* walls = std::get_if<WallEnds>(&parameters.ends[static_cast<std::size_t>(axis)])) {
             const std::string table = fmt::format("boundary.{}.", "xyz"[axis]);
             if (walls->lower_velocity != Vec3<double>{})

@@ -217,8 +217,39 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
     }
 }
 
+namespace {
+
+void judge_tracers(const Parameters& parameters, const RunParameters& run, const TracerOutput& tracers,
+                   Remarks& remarks) {
+    if (run.steps > 0 && tracers.start >= run.steps)
+        remarks.push_back({Severity::warning, "tracers.start",
+                           fmt::format("tracers.start is {}: the run ends before, after {} steps; expected "
+                                       "less; try start = 0",
+                                       tracers.start, run.steps)});
+    double each = 0.0;
+    for (const TracerSeeds& seeds : tracers.seeds)
+        each += seeds.count;
+    const double releases = tracers.release > 0 && run.steps > tracers.start
+                                ? 1.0 + std::floor(static_cast<double>(run.steps - tracers.start) /
+                                                   static_cast<double>(tracers.release))
+                                : 1.0;
+    const double all =
+        each * releases + 1.0 * tracers.membrane * static_cast<double>(parameters.vesicles.size());
+    constexpr double most = 1e6;
+    if (all > most)
+        remarks.push_back(
+            {Severity::error, tracers.release > 0 ? "tracers.release" : "tracers.seeds",
+             fmt::format("tracers would be {:.3g} points in the end; expected at most {:g}; try "
+                         "fewer seeds, or a longer release",
+                         all, most)});
+}
+
+} // namespace
+
 void judge_schedule(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
                     Remarks& remarks) {
+    if (output.tracers)
+        judge_tracers(parameters, run, *output.tracers, remarks);
     if (run.stop_when_steady) {
         const SteadyCriterion& steady = *run.stop_when_steady;
         if (output.metrics_every == 0)

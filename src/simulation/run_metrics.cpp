@@ -26,8 +26,47 @@ const std::vector<double>& note(const RunMetrics::Notes& notes, const std::strin
     return found->second;
 }
 
-/// The plane whose deformation, inclination and stress are measured. A shear whose velocity falls along the
-/// gradient flows the other way.
+/// The times of all that moves or pushes the fluid.
+std::vector<FlowTimes> times_of_flows(const Parameters& parameters) {
+    std::vector<FlowTimes> times;
+    const auto add = [&](const auto& driven) {
+        if (driven)
+            times.push_back(driven->times);
+    };
+    add(parameters.flow.shear);
+    add(parameters.flow.poiseuille);
+    add(parameters.flow.body_force);
+    add(parameters.flow.extension);
+    for (const AxisEnds& ends : parameters.ends) {
+        if (const auto* open = std::get_if<OpenEnds>(&ends))
+            times.push_back(open->times);
+        const auto* walls = std::get_if<WallEnds>(&ends);
+        if (walls != nullptr && walls->lower_velocity != Vec3<double>{})
+            times.push_back(walls->lower_times);
+        if (walls != nullptr && walls->upper_velocity != Vec3<double>{})
+            times.push_back(walls->upper_times);
+    }
+    return times;
+}
+
+/// When the first flow begins; 0 without one.
+std::int64_t flow_start(const Parameters& parameters) {
+    std::int64_t start = FlowTimes::never;
+    for (const FlowTimes& times : times_of_flows(parameters))
+        start = std::min(start, times.start);
+    return start == FlowTimes::never ? 0 : start;
+}
+
+/// When areas have come to their targets and flows to their full strength.
+std::int64_t end_of_all_ramps(const Parameters& parameters) {
+    std::int64_t end = end_of_ramps(parameters);
+    for (const FlowTimes& times : times_of_flows(parameters))
+        end = std::max(end, times.start + times.ramp);
+    return end;
+}
+
+} // namespace
+
 std::optional<ShearPlane> shear_plane(const Parameters& parameters) {
     const auto along = [](int axis, double length) {
         Vec3<double> unit{};
@@ -46,27 +85,11 @@ std::optional<ShearPlane> shear_plane(const Parameters& parameters) {
                       along(parameters.has_walls(last) ? last : next, 1.0)};
 }
 
-/// When the first flow begins; 0 without one.
-std::int64_t flow_start(const FlowParameters& flow) {
-    std::int64_t start = FlowTimes::never;
-    const auto earlier = [&](const auto& driven) {
-        if (driven)
-            start = std::min(start, driven->times.start);
-    };
-    earlier(flow.shear);
-    earlier(flow.poiseuille);
-    earlier(flow.body_force);
-    earlier(flow.extension);
-    return start == FlowTimes::never ? 0 : start;
-}
-
-} // namespace
-
 RunMetrics::RunMetrics(const Parameters& parameters, const RunParameters& run, std::int64_t every,
                        const Snapshot& initial)
     : every_(every),
-      ramp_end_(end_of_ramps(parameters)),
-      flow_start_(flow_start(parameters.flow)),
+      ramp_end_(end_of_all_ramps(parameters)),
+      flow_start_(flow_start(parameters)),
       criterion_(run.stop_when_steady) {
     Vec3<double> period{};
     for (int a = 0; a < 3; ++a)

@@ -13,6 +13,10 @@
 
 namespace vesica {
 
+/// The plane whose deformation, inclination and stress are measured. A shear whose velocity falls along the
+/// gradient flows the other way.
+std::optional<ShearPlane> shear_plane(const Parameters& parameters);
+
 /// The metrics of a run from sample to sample: what they are compared with, where the centres were, whether
 /// they still change. All of it goes into checkpoints, so that a resumed run measures what an unbroken one
 /// does.

@@ -4,6 +4,7 @@
 #include "measure/dense_block.hpp"
 #include "measure/solid_body.hpp"
 #include "measure/whole_cells.hpp"
+#include "simulation/run_metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,8 @@ std::vector<Vec3<double>> contour_points(const VesicleSnapshot& vesicle, const V
         double inner = farthest;
         while (inner > 0.0 && !is_inside(inner))
             inner -= 0.25;
+        if (inner <= 0.0)
+            continue; // a hollow vesicle's middle may lie outside it
         double outer = inner + 0.25;
         for (int halving = 0; halving < 40; ++halving)
             (is_inside(0.5 * (inner + outer)) ? inner : outer) = 0.5 * (inner + outer);
@@ -96,12 +99,14 @@ void RunTracers::release_due(const Engine& engine) {
         }
     if (output_.membrane == 0 || since != 0)
         return;
-    const FlowParameters& flow = parameters_.flow;
-    const int first = flow.shear ? flow.shear->velocity : flow.poiseuille ? flow.poiseuille->velocity : 0;
-    const int second = flow.shear ? flow.shear->gradient : first == 2 ? 0 : 2;
+    ShearPlane plane{{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+    if (const auto& extension = parameters_.flow.extension)
+        plane = {unit(extension->stretch), unit(extension->squeeze)};
+    if (const auto sheared = shear_plane(parameters_))
+        plane = *sheared;
     for (const VesicleSnapshot& vesicle : engine.snapshot().vesicles)
         for (const Vec3<double>& point :
-             contour_points(vesicle, unit(first), unit(second), output_.membrane)) {
+             contour_points(vesicle, plane.flow, plane.gradient, output_.membrane)) {
             release(point, seed, step);
             seed += 1.0;
         }
@@ -129,9 +134,11 @@ void RunTracers::arrive(const Engine& engine) {
     for (const Tracer& tracer : tracers_)
         predicted.push_back(tracer.place + steps * tracer.velocity);
     const std::vector<Vec3<double>> velocities = engine.velocities(predicted);
-    for (std::size_t k = 0; k < tracers_.size(); ++k)
-        tracers_[k].place = tracers_[k].place + 0.5 * steps * (tracers_[k].velocity + velocities[k]);
-    drop_lost(velocities);
+    for (std::size_t k = 0; k < tracers_.size(); ++k) {
+        const Vec3<double>& first = tracers_[k].velocity;
+        const Vec3<double> second = std::isnan(velocities[k].x) ? first : velocities[k]; // a step too far
+        tracers_[k].place = tracers_[k].place + 0.5 * steps * (first + second);
+    }
 }
 
 /// Their velocities where they are.
@@ -159,12 +166,15 @@ void RunTracers::write(const Engine& engine) {
                         tracer.place.y, tracer.place.z, u.x, u.y, u.z});
     }
     file_.append(rows);
+    written_at_ = engine.steps_done();
 }
 
 void RunTracers::carry(const Engine& engine) {
-    arrive(engine);
-    release_due(engine);
-    look_around(engine);
+    if (written_at_ != engine.steps_done()) {
+        arrive(engine);
+        release_due(engine);
+        look_around(engine);
+    }
     departed_at_ = engine.steps_done();
 }
 

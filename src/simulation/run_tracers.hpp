@@ -50,6 +50,7 @@ private:
     std::vector<Tracer> tracers_;
     std::int64_t released_at_ = -1; ///< the last step at which some were
     std::int64_t departed_at_ = -1; ///< the step their places and velocities are of; -1: now
+    std::int64_t written_at_ = -1;  ///< they have been moved and looked after at that step
     double count_ = 0.0;            ///< of all that were ever released
 };
 

@@ -105,6 +105,8 @@ TEST_CASE("flows that do not fit together are refused with the remedy") {
          "expected points as well; try [[tracers.seeds]] with from, to and count"},
         {{"tracers={ every = 50, seeds = [{ from = [1, 2, 3], count = 4 }] }"},
          "tracers.seeds[0].count is 4; expected 1, as the first point is the last"},
+        {{"tracers={ every = 50, seeds = [{ from = [1, 2, 3], to = [4, 5, 6] }] }"},
+         "expected no second point, as tracers.seeds[0].count is 1"},
         {{"tracers={ every = 50, seeds = [{ from = [1, 2, 64.5] }] }"},
          "expected a point in the box, from 0 to 64 along z"},
         {{"flow.shear={ rate = 1e-4, with = \"pistons\" }"}, "flow.shear.with is \"pistons\""},

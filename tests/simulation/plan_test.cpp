@@ -286,6 +286,22 @@ TEST_CASE("a vesicle too near to an inlet is refused at once") {
     CHECK(says(text, "cells apart; expected at least 10.5"));
 }
 
+TEST_CASE("tracers that never appear, or without end, are remarked upon") {
+    CHECK(says(all(make_plan(discocyte({"tracers={ every = 100, start = 1000000, membrane = 4 }"})),
+                   Severity::warning),
+               "tracers.start is 1000000: the run ends before"));
+    CHECK(says(all(make_plan(discocyte(
+                       {"tracers={ every = 100, release = 1, seeds = [{ from = [1, 1, 1], to = [9, 9, 9], "
+                        "count = 100 }] }"})),
+                   Severity::error),
+               "points in the end; expected at most 1e+06"));
+    CHECK(says(
+        all(make_plan(discocyte({"boundary.x={ lower = { type = \"inlet\", velocity = [0.001, 0, 0], start = "
+                                 "1000000 }, upper = { type = \"outlet\" } }"})),
+            Severity::warning),
+        "boundary.x.lower.start is 1000000: the run ends before"));
+}
+
 TEST_CASE("wetting without solids is remarked upon") {
     CHECK(says(all(make_plan(discocyte({"boundary.wetting=0.001"})), Severity::warning),
                "boundary.wetting is 0.001, but there are no walls or obstacles"));

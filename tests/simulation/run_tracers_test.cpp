@@ -119,7 +119,7 @@ TEST_CASE("tracers go on from their notes as if nothing had been") {
     const ScratchDirectory folder;
     const auto whole = make_engine(what.parameters, 1);
     RunTracers first(what, OutputDirectory::create(folder.path() / "run", false), {});
-    carry_along(first, output, *whole, 130);
+    carry_along(first, output, *whole, 133);
     const auto notes = first.notes();
     const EngineState state = whole->save();
     carry_along(first, output, *whole, 300);
@@ -127,7 +127,7 @@ TEST_CASE("tracers go on from their notes as if nothing had been") {
     const auto end = first.notes();
     const auto again = make_engine(what.parameters, 1);
     again->load(state);
-    RunTracers second(what, OutputDirectory::open(folder.path() / "run"), 130);
+    RunTracers second(what, OutputDirectory::open(folder.path() / "run"), 133);
     second.restore(notes);
     carry_along(second, output, *again, 300);
     CHECK(second.notes() == end);
@@ -148,4 +148,27 @@ TEST_CASE("points round a vesicle lie on its surface, evenly turned") {
     const Vec3<double> oblique = points[1] - Vec3<double>{16.0, 16.0, 16.0};
     CHECK(oblique.x == Approx(oblique.z).margin(1e-6));
     CHECK(oblique.x * oblique.x + oblique.z * oblique.z / 3.24 == Approx(width * width).epsilon(0.02));
+}
+
+TEST_CASE("a tracer that is nowhere in the fluid is let go, the others stay") {
+    Case what = sheared_fluid(ShearBy::walls);
+    SolidVoxels solids(what.parameters.size);
+    for (int z = 4; z < 8; ++z)
+        for (int y = 3; y < 7; ++y)
+            for (int x = 3; x < 7; ++x)
+                solids.set({x, y, z});
+    ObstacleParameters obstacles;
+    obstacles.voxels = std::make_shared<const SolidVoxels>(solids);
+    what.parameters.obstacles = obstacles;
+    TracerOutput& output = what.output.tracers.emplace();
+    output.every = 10;
+    output.seeds = {{{5.0, 5.0, 6.0}, {5.0, 5.0, 16.0}, 2}};
+    const ScratchDirectory folder;
+    const auto engine = make_engine(what.parameters, 1);
+    RunTracers tracers(what, OutputDirectory::create(folder.path() / "run", false), {});
+    carry_along(tracers, output, *engine, 20);
+    const auto rows = rows_in(folder.path() / "run");
+    REQUIRE(rows.size() == 3);
+    for (const auto& row : rows)
+        CHECK(row[2] == 1.0);
 }
