@@ -18,7 +18,10 @@ class LeesEdwards {
 public:
     LeesEdwards(const PopulationView<Real>& populations, const Grid& grid, const Block& block,
                 double reference_density)
-        : f_(populations), grid_(grid), faces_(grid, block), rho0_(reference_density) {}
+        : f_(populations), grid_(grid), faces_(grid, block), rho0_(reference_density) {
+        const std::size_t lines = faces_.faces().empty() ? 0 : static_cast<std::size_t>(this->lines());
+        scratch_.resize(faces_.faces().size() * lines * stretch());
+    }
 
     const SlidingFaces& faces() const { return faces_; }
 
@@ -42,9 +45,12 @@ public:
     /// collected. One of the lines() of each face, those of ghosts beside it too.
     int lines() const { return grid_.size()[faces_.beside()] + 2; }
     template <Streaming streaming>
-    void slide(std::int64_t line) const {
-        for (const SlidingFaces::Face& face : faces_.faces())
-            slide_line<streaming>(face, static_cast<int>(line) - 1);
+    void slide(std::int64_t line) {
+        for (std::size_t k = 0; k < faces_.faces().size(); ++k)
+            slide_line<streaming>(
+                faces_.faces()[k], static_cast<int>(line) - 1,
+                scratch_.data() +
+                    (k * static_cast<std::size_t>(lines()) + static_cast<std::size_t>(line)) * stretch());
     }
 
 private:
@@ -81,39 +87,47 @@ private:
         });
     }
 
+    /// A line's values, and those that a cubic at its last one reads beyond it.
+    std::size_t stretch() const {
+        return static_cast<std::size_t>(grid_.size()[faces_.slide().velocity] + Displacement::reads - 1);
+    }
+
+    /// `turned` is room for stretch() values.
     template <Streaming streaming>
-    void slide_line(const SlidingFaces::Face& face, int beside) const {
+    void slide_line(const SlidingFaces::Face& face, int beside, Real* turned) const {
         const Slide& slide = faces_.slide();
         const int length = grid_.size()[slide.velocity];
-        const int direction = (streaming == Streaming::arrived ? -1 : 1) * face.towards;
         Vec3<int> first{};
         first[slide.gradient] = face.ghosts;
         first[faces_.beside()] = beside;
         Vec3<int> unit{};
         unit[slide.velocity] = 1;
         const std::int64_t stride = grid_.offset(unit.x, unit.y, unit.z);
-        std::vector<Real> line(static_cast<std::size_t>(length));
-        const auto wrapped = [&](int place) {
-            return place < 0 ? place + length : place >= length ? place - length : place;
-        };
+        // Value k comes to lie between k + lowest and the reads - 1 after it.
+        const bool is_forward = (face.towards > 0) == (streaming == Streaming::turned);
+        const int lowest =
+            is_forward ? displacement_.whole - 1 : 2 - Displacement::reads - displacement_.whole;
+        const int start = ((lowest % length) + length) % length;
+        Real weights[Displacement::reads];
+        for (int n = 0; n < Displacement::reads; ++n)
+            weights[n] = static_cast<Real>(
+                displacement_
+                    .weights[static_cast<std::size_t>(is_forward ? n : Displacement::reads - 1 - n)]);
         for (int i = 0; i < direction_count; ++i) {
             if (velocity(i, slide.gradient) != face.towards)
                 continue;
             // Ghosts at the line's ends stand for its other end where the slot leads there.
-            const int begin = velocity(i, slide.velocity);
-            Real* const values = f_.slot(i) + grid_.index(first);
-            for (int k = 0; k < length; ++k)
-                line[static_cast<std::size_t>(wrapped(begin + k))] = values[(begin + k) * stride];
+            Real* const values = f_.slot(i) + grid_.index(first) + velocity(i, slide.velocity) * stride;
+            int from = start;
+            for (int k = 0; k < length + Displacement::reads - 1; ++k) {
+                turned[k] = values[from * stride];
+                from = from + 1 == length ? 0 : from + 1;
+            }
             for (int k = 0; k < length; ++k) {
-                const int middle = wrapped(begin + k);
                 Real sum = Real(0);
-                for (int n = 0; n < Displacement::reads; ++n) {
-                    const int away = direction * (displacement_.whole + n - 1);
-                    const int from = ((middle + away) % length + length) % length;
-                    sum += static_cast<Real>(displacement_.weights[static_cast<std::size_t>(n)]) *
-                           line[static_cast<std::size_t>(from)];
-                }
-                values[(begin + k) * stride] = sum;
+                for (int n = 0; n < Displacement::reads; ++n)
+                    sum += weights[n] * turned[k + n];
+                values[k * stride] = sum;
             }
         }
     }
@@ -124,6 +138,7 @@ private:
     double rho0_ = 1.0;
     Displacement displacement_;
     double speed_ = 0.0;
+    std::vector<Real> scratch_; ///< a stretch per line and face
 };
 
 } // namespace vesica

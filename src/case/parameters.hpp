@@ -302,13 +302,13 @@ struct TracerOutput {
     int membrane = 0;         ///< points round each vesicle, in the plane of the flow
     std::vector<TracerSeeds> seeds;
 
-    /// Steps at a time in which they are carried: all that happens to them falls on a multiple.
-    std::int64_t stride() const {
-        constexpr std::int64_t longest = 10;
-        for (std::int64_t steps = longest; steps > 1; --steps)
-            if (every % steps == 0 && start % steps == 0 && release % steps == 0)
-                return steps;
-        return 1;
+    bool released_at(std::int64_t step) const {
+        const std::int64_t since = step - start;
+        return since == 0 || (since > 0 && release > 0 && since % release == 0);
+    }
+    /// Steps between which they are carried at once: ten at most, and none passes a release or a row.
+    bool carried_at(std::int64_t step) const {
+        return step % 10 == 0 || (every > 0 && step % every == 0) || released_at(step);
     }
 
     friend bool operator==(const TracerOutput&, const TracerOutput&) = default;

@@ -1,6 +1,8 @@
 #include "io/case_key_parts.hpp"
 #include "io/case_keys.hpp"
 
+#include <fmt/format.h>
+
 namespace vesica {
 namespace {
 
@@ -97,29 +99,13 @@ std::vector<CaseKey> detail::flow_keys() {
                  .default_value = "\"uniform\"",
                  .choices = {"uniform", "parabolic"},
                  .condition = {"type", {"inlet"}}});
-            const KeyCondition moves{"type", {"wall", "inlet"}};
-            keys.push_back({.path = table + "start",
-                            .kind = KeyKind::steps,
-                            .meaning = "when the wall, or what enters, begins to move",
-                            .default_value = "0",
-                            .dimension = dimension::time,
-                            .range = step_count,
-                            .condition = moves});
-            keys.push_back({.path = table + "stop",
-                            .kind = KeyKind::steps,
-                            .meaning = "when it ends; absent: never",
-                            .example = "40000",
-                            .dimension = dimension::time,
-                            .range = step_count,
-                            .condition = moves});
-            keys.push_back({.path = table + "ramp",
-                            .kind = KeyKind::steps,
-                            .meaning = "time over which it grows to its full velocity, and dies from its end "
-                                       "on; absent: 0 of a wall, 200 steps of what enters",
-                            .example = "200",
-                            .dimension = dimension::time,
-                            .range = step_count,
-                            .condition = moves});
+            add_times(table, keys);
+            for (auto key = keys.end() - 3; key != keys.end(); ++key)
+                key->condition = {"type", {"wall", "inlet"}};
+            CaseKey& ramp = keys.back();
+            ramp.default_value.clear();
+            ramp.example = gentle;
+            ramp.meaning += fmt::format("; absent: 0 of a wall, {} steps of what enters", gentle);
             keys.push_back({.path = table + "pressure",
                             .kind = KeyKind::number,
                             .meaning = "where the fluid leaves, above that of the fluid at rest",

@@ -121,8 +121,6 @@ public:
     const std::vector<FluidNeighbour>& fluid_neighbours() const { return fluid_neighbours_; }
 
     const std::vector<SlidGhost>& slid_ghosts() const { return slid_ghosts_; }
-    const std::vector<HaloPart>& parts() const { return parts_; }
-    const Block& block() const { return block_; }
 
     /// Cells of all levels.
     std::int64_t cell_count() const { return cell_count_; }

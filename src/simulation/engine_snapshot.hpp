@@ -3,6 +3,7 @@
 #include "simulation/lattice_engine.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -74,37 +75,43 @@ private:
 template <class Real>
 Vec3<double> LatticeEngine<Real>::middle() const {
     const Vec3<int> box = block_.box;
-    const auto mean = [&](int axis, const auto& image_of) {
-        // Images that have slid are counted apart: below, home, above.
-        const auto length = static_cast<std::size_t>(box[axis]);
-        std::vector<std::uint64_t> counts(3 * length, 0);
+    const auto for_each_core_cell = [&](const auto& body) {
         for (const BandTile& t : layer_.band().tiles())
             for (int k = 0; k < tile_width; ++k)
-                if ((t.bits[0] >> k & 1) != 0) {
-                    const Vec3<int> cell = grid_.tile_origin(t.tile) + block_.own.begin + Vec3<int>{k, 0, 0};
-                    ++counts[static_cast<std::size_t>(1 + image_of(cell)) * length +
-                             static_cast<std::size_t>(cell[axis])];
-                }
-        ranks().sum(counts);
-        const double slid = block_.slide ? setup_.drive.displacement(step_) : 0.0;
-        detail::CircularMean result(box[axis]);
-        for (std::size_t k = 0; k < counts.size(); ++k) {
-            const std::size_t image = k / length;
-            result.add(static_cast<double>(k % length) + 0.5 + (static_cast<double>(image) - 1.0) * slid,
-                       static_cast<double>(counts[k]));
-        }
-        return result.value();
+                if ((t.bits[0] >> k & 1) != 0)
+                    body(grid_.tile_origin(t.tile) + block_.own.begin + Vec3<int>{k, 0, 0});
     };
-    const auto home = [](const Vec3<int>&) {
-        return 0;
-    };
-    Vec3<double> middle{mean(0, home), mean(1, home), mean(2, home)};
+    const std::array<int, 3> begins{0, box.x, box.x + box.y};
+    std::vector<std::uint64_t> counts(static_cast<std::size_t>(box.x + box.y + box.z), 0);
+    for_each_core_cell([&](const Vec3<int>& cell) {
+        for (int a = 0; a < 3; ++a)
+            ++counts[static_cast<std::size_t>(begins[static_cast<std::size_t>(a)] + cell[a])];
+    });
+    ranks().sum(counts);
+    Vec3<double> middle{};
+    for (int a = 0; a < 3; ++a) {
+        detail::CircularMean mean(box[a]);
+        for (int k = 0; k < box[a]; ++k)
+            mean.add(k + 0.5, static_cast<double>(
+                                  counts[static_cast<std::size_t>(begins[static_cast<std::size_t>(a)] + k)]));
+        middle[a] = mean.value();
+    }
     if (block_.slide) {
-        const int across = block_.slide->gradient;
-        middle[block_.slide->velocity] = mean(block_.slide->velocity, [&](const Vec3<int>& cell) {
-            const double away = (cell[across] + 0.5 - middle[across]) / box[across];
-            return -static_cast<int>(std::lround(away));
+        // Images that have slid are counted apart: below, home, above.
+        const auto [across, along] = *block_.slide;
+        const auto length = static_cast<std::size_t>(box[along]);
+        counts.assign(3 * length, 0);
+        for_each_core_cell([&](const Vec3<int>& cell) {
+            const auto image = 1 - std::lround((cell[across] + 0.5 - middle[across]) / box[across]);
+            ++counts[static_cast<std::size_t>(image) * length + static_cast<std::size_t>(cell[along])];
         });
+        ranks().sum(counts);
+        const double slid = setup_.drive.displacement(step_);
+        detail::CircularMean mean(box[along]);
+        for (std::size_t k = 0; k < counts.size(); ++k)
+            mean.add(static_cast<double>(k % length) + 0.5 + (static_cast<double>(k / length) - 1.0) * slid,
+                     static_cast<double>(counts[k]));
+        middle[along] = mean.value();
     }
     return middle;
 }
@@ -115,8 +122,7 @@ double LatticeEngine<Real>::distance_to_obstacle(const InterfaceCell& cell, std:
     double distance = std::numeric_limits<double>::infinity();
     if (setup_.drive.obstacles() == nullptr)
         return distance;
-    const Vec3<int> place{static_cast<int>(cell.position.x), static_cast<int>(cell.position.y),
-                          static_cast<int>(cell.position.z)};
+    const Vec3<int> place = detail::cell_of(cell);
     const bool knows_normal = dot(cell.n, cell.n) > 0.5;
     for (int i = 1; i < direction_count; ++i) {
         const Vec3<double> link{1.0 * velocity(i, 0), 1.0 * velocity(i, 1), 1.0 * velocity(i, 2)};

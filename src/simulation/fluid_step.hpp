@@ -33,11 +33,11 @@ struct LayerInfluence {
 /// What drives the fluid, and what it cannot pass.
 template <class Real>
 struct FlowInfluence {
-    Vec3<double> body_force{};                  ///< per volume, in every cell
-    Vec3<double> buoyancy{};                    ///< per volume of red
-    const SolidCells* solids = nullptr;         ///< null: none
-    const BounceBack<Real>* walls = nullptr;    ///< null: none
-    const LeesEdwards<Real>* sliding = nullptr; ///< null: no face slides
+    Vec3<double> body_force{};               ///< per volume, in every cell
+    Vec3<double> buoyancy{};                 ///< per volume of red
+    const SolidCells* solids = nullptr;      ///< null: none
+    const BounceBack<Real>* walls = nullptr; ///< null: none
+    LeesEdwards<Real>* sliding = nullptr;    ///< null: no face slides
     std::function<void()>
         on_departure{}; ///< called when the populations that leave through sliding faces are known
 
@@ -190,7 +190,7 @@ private:
     }
 
     template <Streaming streaming>
-    static void slide(const LeesEdwards<Real>& sliding, int threads) {
+    static void slide(LeesEdwards<Real>& sliding, int threads) {
         for_each_index(sliding.lines(), threads,
                        [&](std::int64_t line) { sliding.template slide<streaming>(line); });
     }

@@ -116,6 +116,16 @@ void Layer<Real>::count_crossing(int threads, const Count& count) {
                    });
 }
 
+namespace detail {
+
+/// Of what travels along i: red share of the cell it comes from, and what recolouring adds there.
+template <int i, class V>
+V red_carried(const V& population, const V& red, const V& separated, double reference_density) {
+    return red * (V(weight(i) * reference_density) + population) - V(weight(i)) * separated;
+}
+
+} // namespace detail
+
 template <class Real>
 template <Streaming streaming>
 void Layer<Real>::count_departing(const PopulationView<Real>& f, int threads) {
@@ -135,7 +145,7 @@ void Layer<Real>::count_departing(const PopulationView<Real>& f, int threads) {
                 return;
             const V g = V::load(f.template departing<streaming, decltype(i)::value>(t.cell));
             const V separated = V(velocity(i, 0)) * w.x + V(velocity(i, 1)) * w.y + V(velocity(i, 2)) * w.z;
-            leaves += red * (V(weight(i) * settings_.reference_density) + g) - V(weight(i)) * separated;
+            leaves += detail::red_carried<decltype(i)::value>(g, red, separated, settings_.reference_density);
         });
         sum.add(select<Real>(V::mask(t.bits), V(1.0 / settings_.reference_density) * leaves, V(0)));
     });
@@ -171,7 +181,7 @@ void Layer<Real>::count_arriving(const PopulationView<Real>& f, int threads) {
                                              V(velocity(i, 2)) * w.z(Direction<from>{}),
                                          V(0));
             }
-            comes += red * (V(weight(i) * settings_.reference_density) + g) - V(weight(i)) * separated;
+            comes += detail::red_carried<decltype(i)::value>(g, red, separated, settings_.reference_density);
         });
         sum.add(select<Real>(V::mask(t.bits), V(-1.0 / settings_.reference_density) * comes, V(0)));
     });

@@ -85,9 +85,7 @@ void RunTracers::release(const Vec3<double>& place, double seed, std::int64_t st
 
 void RunTracers::release_due(const Engine& engine) {
     const std::int64_t step = engine.steps_done();
-    const std::int64_t since = step - output_.start;
-    const bool due = since == 0 || (since > 0 && output_.release > 0 && since % output_.release == 0);
-    if (!due || step == released_at_)
+    if (!output_.released_at(step) || step == released_at_)
         return;
     released_at_ = step;
     double seed = 0.0;
@@ -97,7 +95,7 @@ void RunTracers::release_due(const Engine& engine) {
             release((1.0 - t) * seeds.from + t * seeds.to, seed, step);
             seed += 1.0;
         }
-    if (output_.membrane == 0 || since != 0)
+    if (output_.membrane == 0 || step != output_.start)
         return;
     ShearPlane plane{{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
     if (const auto& extension = parameters_.flow.extension)

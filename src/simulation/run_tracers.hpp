@@ -22,7 +22,7 @@ public:
 
     /// At every multiple of TracerOutput::every.
     void write(const Engine& engine);
-    /// At every multiple of TracerOutput::stride, after write(): on to the next.
+    /// At every step that is TracerOutput::carried_at, after write(): on to the next.
     void carry(const Engine& engine);
 
     void flush() { file_.flush(); }

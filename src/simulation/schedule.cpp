@@ -26,10 +26,9 @@ Schedule::Schedule(const OutputParameters& output) {
     set(Event::metrics, output.metrics_every);
     set(Event::surfaces, output.surfaces_every);
     set(Event::checkpoint, output.checkpoint_every);
-    if (output.tracers) {
-        set(Event::tracers, output.tracers->every);
-        set(Event::carry, output.tracers->stride());
-    }
+    tracers_ = output.tracers;
+    if (tracers_)
+        set(Event::tracers, tracers_->every);
     if (output.fields) {
         set(Event::fields, output.fields->every);
         if (output.fields->average)
@@ -42,6 +41,8 @@ std::int64_t Schedule::every(Event event) const {
 }
 
 bool Schedule::due(Event event, std::int64_t step) const {
+    if (event == Event::carry)
+        return tracers_ && tracers_->carried_at(step);
     const std::int64_t period = every(event);
     if (period == 0 || (step == 0 && event == Event::checkpoint))
         return false;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace vesica {
 
@@ -30,11 +31,12 @@ public:
     /// Something that is written, or looked at for that.
     bool anything_to_write(std::int64_t step) const;
 
-    /// Steps between two occurrences; 0 is never.
+    /// Steps between two occurrences; 0 is never, and for `carry`, which has no period.
     std::int64_t every(Event event) const;
 
 private:
     std::array<std::int64_t, all_events.size()> every_{};
+    std::optional<TracerOutput> tracers_;
 };
 
 } // namespace vesica

@@ -215,7 +215,9 @@ class Disk(Faults):
         # A file open for writing, the log for one, keeps a file system writable; a second mount of it is not asked.
         subprocess.run(["mount", "--bind", self.disk, self.disk], check=True)
         self.addCleanup(subprocess.run, ["umount", "-l", self.disk], check=False)
-        subprocess.run(["mount", "-o", "remount,bind,ro", self.disk], check=True)
+        # It refuses while the run happens to write a file there.
+        self.wait_for(lambda: subprocess.run(["mount", "-o", "remount,bind,ro", self.disk], check=False,
+                                             stderr=subprocess.DEVNULL).returncode == 0, running)
         _, errors = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 1, errors)
         self.assertIn("Read-only", errors)

@@ -101,6 +101,9 @@ TEST_CASE("flows that do not fit together are refused with the remedy") {
         {{"boundary.y={ lower = { type = \"wall\" }, upper = { type = \"wall\" } }",
           "flow.shear={ rate = 1e-4, with = \"lees-edwards\" }"},
          "flow.shear.with is \"lees-edwards\"; expected no [boundary.y] with it"},
+        {{"lattice.size=[64, 64, 9]", "flow.shear={ rate = 1e-4, with = \"lees-edwards\" }"},
+         "expected at least 10 cells along z, where flow.shear with lees-edwards lets the images slide; try "
+         "10"},
         {{"tracers={ every = 50 }"},
          "expected points as well; try [[tracers.seeds]] with from, to and count"},
         {{"tracers={ every = 50, seeds = [{ from = [1, 2, 3], count = 4 }] }"},

@@ -1,3 +1,4 @@
+#include "core/input_error.hpp"
 #include "io/checkpoint.hpp"
 #include "io/scratch_directory.hpp"
 #include "simulation/block_plan.hpp"
@@ -94,4 +95,21 @@ TEST_CASE("blocks are balanced by the band around the core, across the periodic 
     const std::vector<int> low{12, 13, 14, 15};
     CHECK(cut_between_two(low, 50) < 43);
     CHECK(cut_between_two(low, 200) < cut_between_two(low, 50));
+}
+
+TEST_CASE("ranks that a box cannot hold are told what it could, and which axis images slide along") {
+    const auto refusal = [](const std::optional<Vec3<int>>& blocks, const std::optional<Slide>& slide) {
+        try {
+            layout_for({64, 16, 16}, 4, blocks, slide);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("none");
+    };
+    CHECK(refusal({}, {}) == "none");
+    CHECK_THAT(refusal({}, Slide{2, 0}),
+               Catch::Contains("lattice.size is 64 x 16 x 16; expected a box that 4 ranks can share") &&
+                   Catch::Contains("of which there is one along x, where the images slide; try mpirun -n 1"));
+    CHECK_THAT(refusal(Vec3<int>{4, 1, 1}, Slide{2, 0}),
+               Catch::Contains("--blocks is 4,1,1; expected one block along x"));
 }

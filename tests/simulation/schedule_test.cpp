@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <vector>
+
 using namespace vesica;
 
 namespace {
@@ -40,6 +42,19 @@ TEST_CASE("what the case does not ask for never falls due") {
                 continue;
             REQUIRE_FALSE(schedule.due(event, step));
         }
+}
+
+TEST_CASE("tracers are carried ten steps at a time, and less to a row or a release") {
+    OutputParameters traced;
+    traced.tracers = TracerOutput{35, 7, 50, 0, {}};
+    const Schedule schedule(traced);
+    std::vector<std::int64_t> steps;
+    for (std::int64_t step = 0; step <= 60; ++step)
+        if (schedule.due(Event::carry, step))
+            steps.push_back(step);
+    CHECK(steps == std::vector<std::int64_t>{0, 7, 10, 20, 30, 35, 40, 50, 57, 60});
+    CHECK(schedule.due(Event::tracers, 35));
+    CHECK_FALSE(schedule.anything_to_write(57));
 }
 
 TEST_CASE("trouble is looked for whatever the case asks for") {
