@@ -39,7 +39,7 @@ void time_pass(benchmark::State& state, int edge, Pass timed) {
     Sphere<Real> sphere(edge, 0.3 * edge);
     Layer<Real>& layer = sphere.layer;
     const PopulationView<Real> f(sphere.populations.view(), sphere.grid);
-    const FluidStep<Real, RegularisedCollision> fluid(sphere.grid, f, {}, {}, 1.0);
+    const FluidStep<Real, RegularisedCollision> fluid(sphere.grid, f, {}, 1.0, 1.0);
     const Membrane membrane{HelfrichLaw{0.1, 0.0}, 0.0, FreeArea{}, {}, 0.0};
     Streaming streaming = Streaming::arrived;
     layer.weigh(f, streaming, threads);
@@ -55,7 +55,7 @@ void time_pass(benchmark::State& state, int edge, Pass timed) {
         run(Pass::normals, [&] { layer.normals(threads); });
         run(Pass::curvatures, [&] { layer.curvatures(threads); });
         run(Pass::slopes, [&] { layer.slopes(threads); });
-        run(Pass::forces, [&] { layer.forces(membrane, threads); });
+        run(Pass::forces, [&] { layer.forces(std::span(&membrane, 1), threads); });
         run(Pass::fluid, [&] {
             const Streaming streamed = after_step(streaming);
             layer.begin_transport(threads);

@@ -32,7 +32,7 @@ struct Sphere {
             return 1.0 / (1.0 + std::exp(2.0 * settings.beta * std::abs(s)));
         };
         std::vector<Band::Seed> core;
-        std::vector<std::uint8_t> inside(static_cast<std::size_t>(grid.tiles()), 0);
+        std::vector<std::int32_t> interior(static_cast<std::size_t>(grid.tiles()), -1);
         for (std::int64_t tile = 0; tile < grid.tiles(); ++tile) {
             const Vec3<int> origin = grid.tile_origin(tile);
             unsigned in_core = 0;
@@ -42,18 +42,20 @@ struct Sphere {
                 red |= (s < 0.0 ? 1u : 0u) << k;
                 in_core |= (layer_density(minority(s)) > settings.cutoff ? 1u : 0u) << k;
             }
-            inside[static_cast<std::size_t>(tile)] = static_cast<std::uint8_t>(red);
-            in_core &= grid.interior_bits(origin);
+            const unsigned own = grid.interior_bits(origin);
+            if (own != 0 && (red & own) == own)
+                interior[static_cast<std::size_t>(tile)] = 0;
+            in_core &= own;
             if (in_core != 0)
                 core.push_back({tile, static_cast<std::uint8_t>(in_core)});
         }
-        const auto chi_at = [&](std::int64_t index) {
+        const auto chi_at = [&](std::int64_t index, int) {
             Vec3<int> cell = grid.tile_origin(index / tile_width);
             cell.x += static_cast<int>(index % tile_width);
             const double s = distance(cell);
             return static_cast<Real>(with_sign_bit(s < 0.0, minority(s)));
         };
-        layer.place(core, chi_at, std::move(inside), 1);
+        layer.place(core, chi_at, std::move(interior), 1);
     }
 
     LayerInfluence<Real> influence() const {

@@ -176,6 +176,7 @@ struct VesicleParameters {
     Vec3<double> axis{0.0, 0.0, 1.0};
     std::optional<Vec3<double>> buoyancy; ///< instead of its type's
     std::vector<Perturbation> perturbations;
+    bool joins_previous = false; ///< one body with the vesicle before: one colour, one membrane (benchmarks)
 
     friend bool operator==(const VesicleParameters&, const VesicleParameters&) = default;
 };
@@ -244,6 +245,14 @@ struct Parameters {
         for (int a = 0; a < 3; ++a)
             cells[a] += is_bounded(a) ? wall_layers : 0;
         return cells;
+    }
+
+    /// What stands for each of the vesicles in the engine: 0, 1, ... without gaps.
+    std::vector<int> labels() const {
+        std::vector<int> labels;
+        for (const VesicleParameters& vesicle : vesicles)
+            labels.push_back(labels.empty() ? 0 : labels.back() + (vesicle.joins_previous ? 0 : 1));
+        return labels;
     }
 
     const Vec3<double>& buoyancy_of(const VesicleParameters& vesicle) const {

@@ -16,6 +16,16 @@ template <class V>
     return {strength * n.x, strength * n.y, strength * n.z};
 }
 
+/// Outward from the first of two vesicles whose own outward normals are `n` and `other`: antisymmetric, -n of
+/// the other where they lie face to face. Between nearly parallel normals, of which one colour is a vanishing
+/// tail, it fades.
+template <class V>
+[[gnu::always_inline]] constexpr Vec3<V> direction_between(const Vec3<V>& n, const Vec3<V>& other) {
+    const Vec3<V> apart = n - other;
+    const V inverse = V(1) / square_root(dot(apart, apart) + V(1e-6));
+    return {inverse * apart.x, inverse * apart.y, inverse * apart.z};
+}
+
 /// Colour that arrived in a cell.
 template <class V>
 struct ColourDensities {

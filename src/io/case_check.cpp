@@ -41,8 +41,7 @@ private:
         if (const UnavailableTable* unavailable = find_unavailable_table(generic)) {
             throw InputError(
                 member.key_place,
-                fmt::format("{} is not available yet ({}); expected one vesicle in a periodic box or between "
-                            "walls; try removing it",
+                fmt::format("{} is not available yet ({}); expected a [[vesicle]] for each; try removing it",
                             path, unavailable->meaning));
         }
         if (const CaseKey* key = find_case_key(generic)) {
@@ -94,12 +93,6 @@ private:
         if (node.table() && generic != "vesicle[]") { // perturbation = { ... }
             table(*node.table(), node.place, path + "[0]", generic);
             return;
-        }
-        if (generic == "vesicle[]" && node.array() && node.array()->size() > 1) {
-            throw InputError(
-                (*node.array())[1].place,
-                "vesicle[1] is not available yet (more than one vesicle); expected one [[vesicle]]; try "
-                "removing the others");
         }
         std::string header = generic;
         for (auto at = header.find("[]"); at != std::string::npos; at = header.find("[]"))

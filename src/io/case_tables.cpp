@@ -53,7 +53,7 @@ const std::vector<CaseTable>& case_tables() {
 
 const std::vector<UnavailableTable>& unavailable_tables() {
     static const std::vector<UnavailableTable> tables{
-        {"suspension", "many vesicles"},
+        {"suspension", "packing many vesicles"},
     };
     return tables;
 }

@@ -81,9 +81,10 @@ CheckpointSummary summarise_checkpoint(const Path& path) {
     summary.format_version = found.format_version;
     summary.bytes = found.payload_bytes + seal_bytes;
     summary.case_text = read_text(file, "case", path);
-    for (const char* name : {"populations", "minority", "band", "controllers"})
-        summary.arrays.push_back(
-            fmt::format("{} [{}]", name, fmt::join(shape_of(open_array(file, name, path), path), ", ")));
+    for (const char* name : {"populations", "minority", "band", "label", "controllers"})
+        if (has_link(file, name, path))
+            summary.arrays.push_back(
+                fmt::format("{} [{}]", name, fmt::join(shape_of(open_array(file, name, path), path), ", ")));
     const Hdf5Group notes(hdf5_checked(H5Gopen2(file, "notes", H5P_DEFAULT), path, "cannot read the notes"));
     for (const std::string& name : names_in(notes, path))
         summary.arrays.push_back(fmt::format("notes/{} [{}]", name,

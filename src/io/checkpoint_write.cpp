@@ -40,9 +40,14 @@ public:
         StateFile places;
         places.floats = head.precision == Precision::single_precision && state.all_floats();
         const hid_t reals = places.floats ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
-        places.band = place(file_, "band", H5T_STD_U8LE, {cells});
+        // With one vesicle a cell has one number, else as many as colours.
+        const std::vector<hsize_t> colours =
+            state.is_labelled() ? std::vector<hsize_t>{state.slots(), cells} : std::vector<hsize_t>{cells};
+        places.band = place(file_, "band", H5T_STD_U8LE, colours);
         places.populations = place(file_, "populations", reals, {count, count == 0 ? 0 : cells});
-        places.minority = place(file_, "minority", reals, {cells});
+        places.minority = place(file_, "minority", reals, colours);
+        if (state.is_labelled())
+            places.label = place(file_, "label", H5T_STD_I32LE, colours);
         add_reals(file_, "controllers", head.controllers);
         return places;
     }
@@ -69,7 +74,8 @@ private:
 std::uint64_t bytes_needed(const CheckpointNotes& checkpoint, const StatePlanes& state) {
     const std::uint64_t cells = static_cast<std::uint64_t>(CellBox{{}, state.head().size}.volume());
     const std::uint64_t width = state.head().precision == Precision::single_precision ? 4 : 8;
-    std::uint64_t bytes = cells * ((state.population_count() + 1) * width + 1);
+    const std::uint64_t colour = width + 1 + (state.is_labelled() ? sizeof(std::int32_t) : 0);
+    std::uint64_t bytes = cells * (state.population_count() * width + state.slots() * colour);
     for (const auto& [name, values] : checkpoint.notes)
         bytes += values.size() * sizeof(double);
     return bytes + checkpoint.case_text.size() + (std::uint64_t{1} << 20);

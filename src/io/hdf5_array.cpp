@@ -185,6 +185,10 @@ void read_runs(hid_t dataset, hid_t memory_type, hsize_t row, const Hdf5Runs& ru
     hdf5_checked(H5Dread(dataset, memory_type, memory, space, H5P_DEFAULT, values), path, cannot_read);
 }
 
+bool has_link(hid_t parent, const std::string& name, const std::filesystem::path& path) {
+    return hdf5_checked(H5Lexists(parent, name.c_str(), H5P_DEFAULT), path, cannot_read) > 0;
+}
+
 Hdf5Dataset open_array(hid_t parent, const std::string& name, const std::filesystem::path& path) {
     const hid_t id = H5Dopen2(parent, name.c_str(), H5P_DEFAULT);
     if (id < 0)

@@ -57,6 +57,8 @@ struct Hdf5Runs {
 void read_runs(hid_t dataset, hid_t memory_type, hsize_t row, const Hdf5Runs& runs, void* values,
                const std::filesystem::path& path);
 
+bool has_link(hid_t parent, const std::string& name, const std::filesystem::path& path);
+
 Hdf5Dataset open_array(hid_t parent, const std::string& name, const std::filesystem::path& path);
 std::vector<hsize_t> shape_of(hid_t dataset, const std::filesystem::path& path);
 /// The names of what a group holds, in alphabetical order.

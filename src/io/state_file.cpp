@@ -90,10 +90,17 @@ void write_state(const StateFile& file, const StatePlanes& part, const Ranks& ra
         for (std::size_t i = 0; i < part.population_count(); ++i)
             write_reals(writer, file.populations + i * cells * width, file.floats,
                         [&](int z, std::span<double> plane) { part.population(i, z, plane); });
-        write_reals(writer, file.minority, file.floats,
-                    [&](int z, std::span<double> plane) { part.minority(z, plane); });
-        writer.write<std::uint8_t, std::uint8_t>(
-            file.band, [&](int z, std::span<std::uint8_t> plane) { part.band(z, plane); });
+        for (std::size_t slot = 0; slot < part.slots(); ++slot) {
+            write_reals(writer, file.minority + slot * cells * width, file.floats,
+                        [&](int z, std::span<double> plane) { part.minority(slot, z, plane); });
+            writer.write<std::uint8_t, std::uint8_t>(
+                file.band + slot * cells,
+                [&](int z, std::span<std::uint8_t> plane) { part.band(slot, z, plane); });
+            if (part.is_labelled())
+                writer.write<std::int32_t, std::int32_t>(
+                    file.label + slot * cells * sizeof(std::int32_t),
+                    [&](int z, std::span<std::int32_t> plane) { part.label(slot, z, plane); });
+        }
         writer.synchronise();
     });
 }
@@ -136,6 +143,19 @@ Hdf5Dataset open_cells(hid_t file, const char* name, const Vec3<int>& box, const
     return array;
 }
 
+/// The part of every row, one behind the other.
+template <class T>
+std::vector<T> read_rows_of_part(hid_t array, hid_t type, const Vec3<int>& box, const CellBox& part,
+                                 const Path& path) {
+    const auto shape = shape_of(array, path);
+    std::vector<T> values;
+    for (std::size_t row = 0; row < (shape.size() > 1 ? shape.front() : 1); ++row) {
+        const std::vector<T> more = read_part<T>(array, type, row, box, part, path);
+        values.insert(values.end(), more.begin(), more.end());
+    }
+    return values;
+}
+
 } // namespace
 
 EngineState read_state(const Path& path, const CellBox& part) {
@@ -153,10 +173,13 @@ EngineState read_state(const Path& path, const CellBox& part) {
     for (std::size_t i = 0; i < rows; ++i)
         state.populations.push_back(
             read_part<double>(populations, H5T_NATIVE_DOUBLE, i, state.size, part, path));
-    state.minority = read_part<double>(open_cells(file, "minority", state.size, path), H5T_NATIVE_DOUBLE, 0,
-                                       state.size, part, path);
-    state.band = read_part<std::uint8_t>(open_cells(file, "band", state.size, path), H5T_NATIVE_UINT8, 0,
-                                         state.size, part, path);
+    state.minority = read_rows_of_part<double>(open_cells(file, "minority", state.size, path),
+                                               H5T_NATIVE_DOUBLE, state.size, part, path);
+    state.band = read_rows_of_part<std::uint8_t>(open_cells(file, "band", state.size, path), H5T_NATIVE_UINT8,
+                                                 state.size, part, path);
+    if (has_link(file, "label", path))
+        state.label = read_rows_of_part<std::int32_t>(open_cells(file, "label", state.size, path),
+                                                      H5T_NATIVE_INT32, state.size, part, path);
     const Hdf5Dataset controllers = open_array(file, "controllers", path);
     state.controllers.resize(shape_of(controllers, path).front());
     read_rows(controllers, H5T_NATIVE_DOUBLE, 0, state.controllers.size(), state.controllers.data(), path);
@@ -167,7 +190,13 @@ std::vector<std::uint8_t> read_band(const Path& path, const CellBox& part) {
     const QuietHdf5 quiet;
     const Hdf5File file = open_hdf5(path);
     const Vec3<int> box = box_of(file, path);
-    return read_part<std::uint8_t>(open_cells(file, "band", box, path), H5T_NATIVE_UINT8, 0, box, part, path);
+    const auto slots = read_rows_of_part<std::uint8_t>(open_cells(file, "band", box, path), H5T_NATIVE_UINT8,
+                                                       box, part, path);
+    const auto cells = static_cast<std::size_t>(part.volume());
+    std::vector<std::uint8_t> band(cells, 0);
+    for (std::size_t at = 0; at < slots.size(); ++at)
+        band[at % cells] = static_cast<std::uint8_t>(band[at % cells] | slots[at]);
+    return band;
 }
 
 Digest Colleagues::digest(const Path& file, std::uint64_t offset, std::uint64_t length, const Path& target) {

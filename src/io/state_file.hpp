@@ -18,7 +18,8 @@ struct StateFile {
     std::uint64_t populations = 0;   ///< bytes from the beginning of the file
     std::uint64_t minority = 0;
     std::uint64_t band = 0;
-    bool floats = false; ///< how populations and minority are stored
+    std::uint64_t label = 0; ///< where slots have labels
+    bool floats = false;     ///< how populations and minority are stored
 };
 
 /// Writes the arrays of each rank's part and waits until they are on the device; all ranks together, and if
@@ -28,7 +29,7 @@ void write_state(const StateFile& file, const StatePlanes& part, const Ranks& ra
 /// Reads a part of the state in a checkpoint, which has been verified before. Throws RunError.
 EngineState read_state(const std::filesystem::path& checkpoint, const CellBox& part);
 
-/// EngineState::band of a part alone.
+/// EngineState::band of a part alone, of all colours together.
 std::vector<std::uint8_t> read_band(const std::filesystem::path& checkpoint, const CellBox& part);
 
 /// What the rank that writes or reads a checkpoint needs of the others; by itself it needs nobody.

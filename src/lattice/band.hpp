@@ -7,19 +7,22 @@
 #include "lattice/solid_cells.hpp"
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace vesica {
 
-/// One tile of a band: eight cells of which some belong to it.
+/// One tile of a label's band: eight cells of which some belong to it.
 struct BandTile {
     static constexpr int levels = BandGrowth::levels;
 
     std::int64_t cell = 0;     ///< index of its first cell in the grid
     std::int64_t tile = 0;     ///< index of the tile in the grid
+    std::int32_t label = 0;    ///< of the vesicle
     std::int32_t rows[9] = {}; ///< compact address of the tile below each (dy, dz), (dy + 1) + 3 (dz + 1)
     std::uint8_t bits[levels] = {}; ///< its fluid cells in level 0, 1, ...; cells of the box only, no ghosts
     bool beside_solid = false;      ///< a neighbour of one of its cells is solid
@@ -35,6 +38,9 @@ struct BandTile {
 /// so in compact arrays as well, and one unused tile parts the runs, so that loads shifted by one cell stay
 /// with their neighbours. Ghost cells at the block's faces have addresses of their own: those that stand for
 /// cells of the same block are filled by copying, those of another process by what it sends.
+///
+/// Each vesicle, by its label, has a band of its own. Where they overlap a tile is listed, and has compact
+/// addresses, once for each.
 class Band {
 public:
     static constexpr int outermost = BandTile::levels - 1;
@@ -54,7 +60,7 @@ public:
 
     /// A ghost cell beyond a sliding face: between cells of the image there.
     struct SlidGhost {
-        static constexpr std::int32_t pure_blue = -1; ///< a cell outside the band
+        static constexpr std::int32_t pure_blue = -1; ///< a cell outside its label's band
         static constexpr std::int32_t pure_red = -2;
 
         std::int32_t to = 0;
@@ -80,25 +86,32 @@ public:
     /// tiles, but they belong to no level.
     explicit Band(const Block& block, const SolidCells* solids = nullptr);
 
-    /// Grows the band anew from its core. Seeds hold cells of the block, each tile at most once; with them
-    /// the core of others, as far as it lies within BandGrowth::core_reach of the block.
+    /// Grows the band anew from its core. Seeds hold cells of the block, each tile at most once per label;
+    /// with them the core of others, as far as it lies within BandGrowth::core_reach of the block.
     /// Where the box slides, `slid` are the whole cells that the images above have moved on; then join() has
     /// to be called for each part that slides.
     void rebuild(const std::vector<Seed>& core, const std::vector<ForeignSeed>& foreign = {}, int slid = 0);
 
-    /// What a neighbour beyond a sliding face must know of the cells along it: for the rim of that part, in
-    /// the order z, y, x of its home cells, the lowest level of each (one more than outermost outside the
-    /// band), and red_side with it on red's side. `inside` has a bit per cell of the grid's tiles.
-    std::vector<std::uint8_t> rim_cells(std::size_t part, const std::vector<std::uint8_t>& inside) const;
+    /// What a neighbour beyond a sliding face must know of a cell along it.
+    struct RimCell {
+        std::int32_t cell = 0; ///< of the rim's home cells, in the order z, y, x
+        std::int32_t label = 0;
+        std::int32_t level =
+            0; ///< the lowest it belongs to; outside_level: none, but it lies inside that vesicle
+    };
+    static constexpr std::int32_t outside_level = outermost + 1;
+    /// Those of a part, ascending by cell and label. `owner_of` has, for a cell of the grid, the label of the
+    /// vesicle inside which it lies beyond that one's band, or -1.
+    std::vector<RimCell> rim_cells(std::size_t part, const std::function<int(std::int64_t)>& owner_of) const;
     /// The rim of the neighbour at that part.
-    /// Returns how many of the bytes were its.
-    std::size_t join(std::size_t part, std::span<const std::byte> rim);
-    static constexpr unsigned red_side = 0x10;
+    void join(std::size_t part, std::span<const RimCell> rim);
 
     const Grid& grid() const { return grid_; }
 
-    /// Tiles sorted as they lie in the grid.
+    /// Tiles sorted by the rows they lie in, then by label, then along the row.
     const std::vector<BandTile>& tiles() const { return tiles_; }
+    /// Whether one comes before the other in such a list.
+    bool precedes(const BandTile& a, const BandTile& b) const { return key_of(a) < key_of(b); }
     /// Indices into tiles() of those that have cells in a level.
     const std::vector<std::int32_t>& of_level(int level) const { return of_level_[level]; }
     const std::vector<GhostCopy>& ghost_copies() const { return ghost_copies_; }
@@ -111,10 +124,25 @@ public:
 
     /// Length of a compact array.
     std::int64_t compact_size() const { return compact_size_; }
-    /// Compact address of a tile of the grid, -1 outside the band.
-    std::int32_t slot_of_tile(std::int64_t tile) const {
-        return slot_of_tile_[static_cast<std::size_t>(tile)];
+    /// Compact address of a tile of the grid, -1 outside the label's band.
+    std::int32_t slot_of_tile(std::int64_t tile, int label = 0) const {
+        std::int32_t at = first_place_[static_cast<std::size_t>(tile)];
+        while (at >= 0 && places_[static_cast<std::size_t>(at)].label < label)
+            at = places_[static_cast<std::size_t>(at)].next;
+        return at >= 0 && places_[static_cast<std::size_t>(at)].label == label
+                   ? places_[static_cast<std::size_t>(at)].slot
+                   : -1;
     }
+    /// body(label, compact address) for all that have one for a tile of the grid, in ascending order.
+    template <class Body>
+    void for_each_label(std::int64_t tile, const Body& body) const {
+        for (std::int32_t at = first_place_[static_cast<std::size_t>(tile)]; at >= 0;
+             at = places_[static_cast<std::size_t>(at)].next)
+            body(static_cast<int>(places_[static_cast<std::size_t>(at)].label),
+                 places_[static_cast<std::size_t>(at)].slot);
+    }
+    /// Tiles that have compact addresses for several labels, ascending.
+    const std::vector<std::int64_t>& shared_tiles() const { return shared_tiles_; }
 
     /// The block's solid cells that have fluid cells of the band beside them, and those.
     const std::vector<SolidCell>& solid_cells() const { return solid_cells_; }
@@ -128,34 +156,53 @@ public:
 
 private:
     void clear();
+    /// A tile of a label that needs an address, in the order of addresses.
+    struct Member {
+        std::int64_t row = 0;
+        std::int32_t label = 0;
+        std::int64_t tile = 0;
+
+        friend auto operator<=>(const Member&, const Member&) = default;
+    };
+    /// The address of a tile of a label.
+    struct Place {
+        std::int32_t label = 0;
+        std::int32_t slot = 0;
+        std::int32_t next = -1; ///< of the same tile, with a higher label
+    };
+
+    Member key_of(const BandTile& t) const { return member(t.tile, t.label); }
+    Member member(std::int64_t tile, int label) const { return {tile / grid_.tiles_per_row(), label, tile}; }
     void lay_out();
-    std::vector<std::int64_t> tiles_to_address() const;
-    void list_tiles(const std::vector<std::int64_t>& members);
+    std::vector<Member> tiles_to_address() const;
+    void place(const Member& member, std::int32_t slot);
+    void list_tiles(const std::vector<Member>& members);
     void link(BandTile& tile) const;
     /// That the cell belongs to, while the band is being laid out; one more than outermost outside.
-    int lowest_level(const Vec3<int>& cell) const {
+    int lowest_level(const Vec3<int>& cell, int label) const {
         int level = 0;
-        while (level <= outermost && !growth_.has(level, cell))
+        while (level <= outermost && !growth_.has(level, cell, label))
             ++level;
         return level;
     }
     static bool follows(const BandTile& first, const BandTile& second);
-    void list_ghost_copies(const std::vector<std::int64_t>& members);
+    void list_ghost_copies(const std::vector<Member>& members);
     void list_part_cells();
     CellBox home_cells(CellBox box) const;
     void separate_rim();
     void list_solid_cells();
 
-    /// Cells of a tile of the grid that belong to the level and to the block.
-    std::uint8_t own_bits(int level, std::int64_t tile) const {
+    /// Cells of a tile of the grid that belong to the label's level and to the block.
+    std::uint8_t own_bits(int level, std::int64_t tile, int label) const {
         const Vec3<int> first = grid_.tile_origin(tile);
         const std::uint8_t inside = grid_.interior_bits(first);
-        return inside == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(inside & growth_.bits(level, first));
+        return inside == 0 ? std::uint8_t{0}
+                           : static_cast<std::uint8_t>(inside & growth_.bits(level, first, label));
     }
 
-    std::int32_t address_of(const Vec3<int>& cell) const {
+    std::int32_t address_of(const Vec3<int>& cell, int label) const {
         const std::int64_t index = grid_.index(cell);
-        return slot_of_tile(index / Grid::tile) + static_cast<std::int32_t>(index % Grid::tile);
+        return slot_of_tile(index / Grid::tile, label) + static_cast<std::int32_t>(index % Grid::tile);
     }
 
     Block block_;
@@ -174,15 +221,18 @@ private:
         std::size_t part = 0;
         Vec3<int> home{};
         std::int32_t to = 0;
+        std::int32_t label = 0;
     };
     std::vector<SlidPlace> slid_places_;
-    std::vector<std::vector<std::uint8_t>> rim_levels_; ///< per part, of those that slide: of its home cells
+    std::vector<std::vector<RimCell>> rim_cells_; ///< per part, of those that slide: those within a band
     std::vector<SlidGhost> slid_ghosts_;
     int slid_ = 0;
     std::vector<SolidCell> solid_cells_;
     std::vector<FluidNeighbour> fluid_neighbours_;
-    std::vector<std::int32_t> slot_of_tile_;
+    std::vector<std::int32_t> first_place_; ///< per tile: of its lowest label, -1 if it has no address
+    std::vector<Place> places_;
     std::vector<std::int64_t> occupied_; ///< tiles that have an address
+    std::vector<std::int64_t> shared_tiles_;
     std::int64_t compact_size_ = 0;
     std::int64_t cell_count_ = 0;
 };

@@ -164,7 +164,7 @@ MetricsRow measure(const VesicleSnapshot& vesicle, const Snapshot& snapshot,
     row.mass_drift = vesicle.colour_mass / baseline.colour_mass - 1.0;
     double gap = distance_to_walls(vesicle, snapshot);
     for (const InterfaceCell& cell : vesicle.cells)
-        gap = std::min(gap, cell.to_obstacle);
+        gap = std::min({gap, cell.to_obstacle, cell.to_vesicle});
     row.gap = std::isfinite(gap) ? gap : unknown;
     measure_flow(vesicle, snapshot, baseline, row);
     return row;

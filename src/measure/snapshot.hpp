@@ -33,6 +33,8 @@ struct InterfaceCell {
     double weight = 0.0; ///< (beta/2)(1 - phi^2): sum of weight * q approximates int q dA over the layer
     /// From the membrane to the obstacle beside this cell; infinite where there is none.
     double to_obstacle = std::numeric_limits<double>::infinity();
+    /// From the membrane through this cell to another vesicle's; infinite where no other's layer reaches.
+    double to_vesicle = std::numeric_limits<double>::infinity();
     bool has_geometry =
         false; ///< n, H, K, H0, K0, J are meaningful (inside the band where they are computed)
 };

@@ -111,7 +111,7 @@ std::vector<ForeignSeed> BandHalo<Real>::exchange_seeds(const std::vector<BandSe
         for (const BandSeed& seed : own) {
             const Vec3<int> first = grid.tile_origin(seed.tile) + block.own.begin;
             if (matters_to(neighbour.block, first))
-                near.push_back({first, seed.bits});
+                near.push_back({first, seed.bits, seed.label});
         }
         const auto bytes = std::as_bytes(std::span(near));
         outgoing.emplace_back(bytes.begin(), bytes.end());

@@ -119,6 +119,7 @@ Parameters crowd(int edge, Precision precision) {
             for (int x = 0; x < per_edge; ++x) {
                 const double cell = static_cast<double>(edge) / per_edge;
                 vesicle.centre = {(x + 0.5) * cell, (y + 0.5) * cell, (z + 0.5) * cell};
+                vesicle.joins_previous = !parameters.vesicles.empty();
                 parameters.vesicles.push_back(vesicle);
             }
     return parameters;

@@ -4,8 +4,12 @@
 #include "core/vec3.hpp"
 #include "parallel/ranks.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace vesica {
 
@@ -22,20 +26,38 @@ struct ColourSums {
             momentum[a].add(density * u[a]);
     }
 
-    /// Of all ranks together.
-    ColourSums over(const Ranks& ranks) const {
-        using Words = std::array<std::uint64_t, 3>;
-        const std::array<Words, 5> own = {mass.words(), momentum[0].words(), momentum[1].words(),
-                                          momentum[2].words(), slid.words()};
-        ColourSums all;
-        for (const std::array<Words, 5>& rank : ranks.gather_all(own)) {
-            all.mass += ExactSum::from_words(rank[0]);
-            for (std::size_t a = 0; a < 3; ++a)
-                all.momentum[a] += ExactSum::from_words(rank[a + 1]);
-            all.slid += ExactSum::from_words(rank[4]);
-        }
+    static constexpr std::size_t word_count = 5 * 3;
+    using Words = std::array<std::uint64_t, word_count>;
+
+    Words words() const {
+        Words all{};
+        std::size_t at = 0;
+        for (const ExactSum* sum : {&mass, &momentum[0], &momentum[1], &momentum[2], &slid})
+            for (const std::uint64_t word : sum->words())
+                all[at++] = word;
         return all;
     }
+    void add(const Words& words) {
+        std::size_t at = 0;
+        for (ExactSum* sum : {&mass, &momentum[0], &momentum[1], &momentum[2], &slid}) {
+            *sum += ExactSum::from_words({words[at], words[at + 1], words[at + 2]});
+            at += 3;
+        }
+    }
 };
+
+/// Of all ranks together, each as many.
+inline std::vector<ColourSums> over_ranks(const Ranks& ranks, const std::vector<ColourSums>& own) {
+    std::vector<ColourSums::Words> words;
+    for (const ColourSums& sums : own)
+        words.push_back(sums.words());
+    const std::vector<std::byte> bytes = ranks.gather_to_all(std::as_bytes(std::span(words)));
+    words.resize(bytes.size() / sizeof(ColourSums::Words));
+    std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(std::span(words)).begin());
+    std::vector<ColourSums> all(own.size());
+    for (std::size_t k = 0; k < words.size(); ++k)
+        all[k % own.size()].add(words[k]);
+    return all;
+}
 
 } // namespace vesica

@@ -153,10 +153,12 @@ void CrewPost::write(const StateFile& file, const StatePlanes* own_part) {
     StateFile places;
     places.temporary = ranks_.broadcast(file.temporary.string());
     places.target = ranks_.broadcast(file.target.string());
-    const auto offsets = broadcast_value(ranks_, std::array{file.populations, file.minority, file.band});
+    const auto offsets =
+        broadcast_value(ranks_, std::array{file.populations, file.minority, file.band, file.label});
     places.populations = offsets[0];
     places.minority = offsets[1];
     places.band = offsets[2];
+    places.label = offsets[3];
     places.floats = broadcast_value(ranks_, file.floats);
     std::unique_ptr<StatePlanes> part;
     agree(ranks_, [&] {

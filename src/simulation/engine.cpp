@@ -41,8 +41,17 @@ public:
     void population(std::size_t i, int z, std::span<double> plane) const override {
         planes_.population(i, z, plane);
     }
-    void minority(int z, std::span<double> plane) const override { planes_.minority(z, plane); }
-    void band(int z, std::span<std::uint8_t> plane) const override { planes_.band(z, plane); }
+    std::size_t slots() const override { return planes_.slots(); }
+    bool is_labelled() const override { return planes_.is_labelled(); }
+    void minority(std::size_t slot, int z, std::span<double> plane) const override {
+        planes_.minority(slot, z, plane);
+    }
+    void band(std::size_t slot, int z, std::span<std::uint8_t> plane) const override {
+        planes_.band(slot, z, plane);
+    }
+    void label(std::size_t slot, int z, std::span<std::int32_t> plane) const override {
+        planes_.label(slot, z, plane);
+    }
 
 private:
     EngineState state_;

@@ -11,7 +11,7 @@ namespace vesica {
 
 /// One pass over the block, row by row in any order, and over the ranks.
 template <class Real>
-typename LatticeEngine<Real>::Extremes LatticeEngine<Real>::extremes() const {
+Extremes LatticeEngine<Real>::extremes() const {
     const Vec3<int> size = grid_.size();
     const std::int64_t rows = std::int64_t{size.y} * size.z;
     const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
@@ -116,18 +116,17 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
     const auto holds = [](const std::vector<std::uint8_t>& bits, std::int64_t cell) {
         return (bits[static_cast<std::size_t>(cell / tile_width)] >> (cell % tile_width) & 1) != 0;
     };
-    const auto layer_value = [&](const std::span<Real>& array, std::int64_t cell) {
-        const std::int32_t slot = layer_.band().slot_of_tile(cell / tile_width);
-        return static_cast<double>(array[static_cast<std::size_t>(slot + cell % tile_width)]);
-    };
-    // Whole tiles are worked on, and in cells beyond a quantity's level what comes out means nothing.
+    // Whole tiles are worked on, and in cells beyond a quantity's level what comes out means nothing. Where
+    // several layers have a cell, the membrane that lies nearest counts.
     const auto fill_level = [&](int level, const auto& components) {
         const std::vector<std::uint8_t> known = layer_.cells_of_level(level);
         fill([&](std::int64_t cell, double* out) {
             if (!holds(known, cell))
                 return;
+            const BandTile* const t = layer_.nearest_tile(cell, level);
             for (const std::span<Real> component : components)
-                *out++ = layer_value(component, cell);
+                *out++ =
+                    static_cast<double>(component[static_cast<std::size_t>(t->slot() + cell % tile_width)]);
         });
     };
     const auto alone = [](std::span<Real> array) {
@@ -135,11 +134,15 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
     };
     const LayerFields<Real>& layer = layer_.fields();
     if (name == "phase") {
-        const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
+        // Of all vesicles together against the fluid outside.
         fill([&](std::int64_t cell, double* out) {
-            *out = holds(in_band, cell)           ? phase_of(layer_value(layer.chi, cell))
-                   : holds(layer_.inside(), cell) ? 1.0
-                                                  : -1.0;
+            *out = -1.0;
+            layer_.for_each_colour(cell, layer.chi, [&](int, Real chi) {
+                if (sign_bit(chi) || chi > Real(0)) // nothing else: whose tiles are there must not show
+                    *out = *out + 1.0 + static_cast<double>(phase_of(chi));
+            });
+            if (layer_.interior()[static_cast<std::size_t>(cell / tile_width)] >= 0)
+                *out = 1.0;
         });
     } else if (name == "density" || name == "pressure") {
         const double scale = name == "pressure" ? sound_speed_squared : 1.0;
@@ -172,12 +175,13 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
             const BandTile& t = layer_.band().tiles()[static_cast<std::size_t>(index)];
             const V H = V::load(layer.H0.data() + t.slot());
             const V K = V::load(layer.K0.data() + t.slot());
+            const Membrane& membrane = membranes_[static_cast<std::size_t>(t.label)];
             const V bending = std::visit(
                 [&](const auto& law) {
                     return law.force(H, K, layer_.laplace_beltrami_of_H(TileRun<Real>{&t}));
                 },
-                membrane_.bending);
-            const V value = name == "bending_force" ? bending : TensionLaw{membrane_.tension()}.force(H);
+                membrane.bending);
+            const V value = name == "bending_force" ? bending : TensionLaw{membrane.tension()}.force(H);
             value.store(values.data() + t.slot());
         }
         fill_level(reach::force, alone(values));
@@ -214,6 +218,20 @@ std::optional<Vec3<int>> LatticeEngine<Real>::cell_at_open_end() const {
     return first == none ? std::nullopt : std::optional(first);
 }
 
+/// The one whose membrane lies nearest to a cell of the whole box, of those whose layers have it; -1: none.
+template <class Real>
+int LatticeEngine<Real>::vesicle_at(const Vec3<int>& place) const {
+    const Vec3<int> cell = place - block_.own.begin;
+    bool here = !layer_.empty();
+    for (int a = 0; a < 3; ++a)
+        here = here && cell[a] >= 0 && cell[a] < grid_.size()[a];
+    const BandTile* const nearest = here ? layer_.nearest_tile(grid_.index(cell), Band::outermost) : nullptr;
+    int label = nearest != nullptr ? nearest->label : -1;
+    for (const int of_rank : ranks().gather_all(label))
+        label = std::max(label, of_rank);
+    return label;
+}
+
 /// Speeds beyond the range of the equilibrium, densities far from the reference, forces that would move a
 /// cell's fluid by a fair part of its sound speed within a step: a run that shows them is lost.
 template <class Real>
@@ -226,14 +244,15 @@ std::optional<Trouble> LatticeEngine<Real>::trouble() const {
     const double force_allowed = 0.1 * setup_.reference_density;
     const Extremes worst = extremes();
     const auto at = [&](const Extreme& place, const std::string& cause) {
-        return Trouble{step_, place.cell, place.in_layer ? 0 : -1, cause};
+        return Trouble{step_, place.cell, place.in_layer ? vesicle_at(place.cell) : -1, cause};
     };
     if (const std::optional<Vec3<int>> place = cell_at_open_end())
         return Trouble{
-            step_, *place, 0,
+            step_, *place, vesicle_at(*place),
             "the vesicle has come within 6 cells of an inlet or outlet, which know nothing of membranes"};
-    if (!layer_.empty() && !std::isfinite(membrane_.tension()))
-        return Trouble{step_, worst.speed.cell, 0, "tension is not a number"};
+    for (std::size_t label = 0; label < membranes_.size() && !layer_.empty(); ++label)
+        if (!std::isfinite(membranes_[label].tension()))
+            return Trouble{step_, worst.speed.cell, static_cast<int>(label), "tension is not a number"};
     if (!(worst.force.size <= force_allowed))
         return at(worst.force, text("force", worst.force.size, force_allowed));
     if (!(worst.density.size <= density_allowed))

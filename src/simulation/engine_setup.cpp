@@ -63,23 +63,40 @@ AreaLaw area_law(const VesicleType& type, double radius, double dynamic_viscosit
     return std::visit(Choose{type, radius, dynamic_viscosity, nu, excess_area}, type.area.constraint);
 }
 
+VesicleSetup vesicle_setup(const Parameters& parameters, const VesicleParameters& vesicle) {
+    const FluidParameters& fluid = parameters.fluid;
+    const VesicleType& type = parameters.types.at(vesicle.type);
+    const std::shared_ptr<const Shape> shape = make_shape(vesicle);
+    VesicleSetup setup;
+    setup.inner_rate = relaxation_rate(fluid.kinematic_viscosity * type.viscosity_ratio);
+    setup.viscosity_ratio = type.viscosity_ratio;
+    setup.buoyancy = parameters.buoyancy_of(vesicle);
+    setup.bending_modulus = type.bending.modulus;
+    if (const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form))
+        setup.spontaneous_curvature = helfrich->spontaneous_curvature;
+    const double radius = std::cbrt(shape->volume() * 3.0 / (4.0 * std::numbers::pi));
+    const double sphere = 4.0 * std::numbers::pi * radius * radius;
+    Membrane& membrane = setup.membrane;
+    membrane.bending = bending_law(type.bending);
+    membrane.sigma = type.sigma;
+    membrane.target.initial = shape->area();
+    membrane.target.final = type.area.deflation ? *type.area.deflation * sphere : shape->area();
+    membrane.target.ramp = type.area.ramp;
+    membrane.area = area_law(type, radius, fluid.density * fluid.kinematic_viscosity,
+                             fluid.kinematic_viscosity, membrane.target.final / sphere - 1.0);
+    return setup;
+}
+
 } // namespace
 
 std::shared_ptr<const InitialColours> initial_colours(const Parameters& parameters, const Block& block,
                                                       int threads) {
     if (parameters.vesicles.empty())
         return nullptr;
-    // Vesicles of one kind share a colour and, but for the area, know nothing of each other's membranes.
-    const std::size_t first = parameters.vesicles.front().type;
     std::vector<InitialColours::Placed> shapes;
-    for (const VesicleParameters& vesicle : parameters.vesicles) {
-        if (vesicle.type != first)
-            throw InputError("the vesicles are of several types; expected one type for all");
-        shapes.push_back({make_shape(vesicle), vesicle.centre});
-    }
-    if (shapes.size() > 1 &&
-        !std::holds_alternative<NoConstraint>(parameters.types.at(first).area.constraint))
-        throw InputError("several vesicles share one area constraint; expected constraint = \"none\"");
+    const std::vector<int> labels = parameters.labels();
+    for (std::size_t k = 0; k < labels.size(); ++k)
+        shapes.push_back({make_shape(parameters.vesicles[k]), parameters.vesicles[k].centre, labels[k]});
     return std::make_shared<const InitialColours>(block, std::move(shapes), parameters.fluid.segregation,
                                                   parameters.numerics.cutoff, threads);
 }
@@ -92,32 +109,25 @@ EngineSetup make_engine_setup(const Parameters& parameters, int threads,
     setup.reference_density = fluid.density;
     setup.drive = FlowDrive(parameters);
     setup.outer_viscosity = fluid.density * fluid.kinematic_viscosity;
-    setup.rates.outer = setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity);
+    setup.outer_rate = relaxation_rate(fluid.kinematic_viscosity);
     setup.ghosts = fluid.ghosts;
     setup.precision = parameters.numerics.precision;
     setup.threads = threads;
-    setup.layer = {fluid.segregation, fluid.density, parameters.numerics.cutoff, parameters.numerics.geometry,
-                   parameters.wetting};
+    setup.layer = {fluid.segregation,          fluid.density,
+                   parameters.numerics.cutoff, parameters.numerics.geometry,
+                   parameters.wetting,         0};
     setup.layer_moments = lattice_layer_moments(fluid.segregation);
     if (parameters.vesicles.empty())
         return setup;
 
-    const VesicleType& type = parameters.types.at(parameters.vesicles.front().type);
-    const std::shared_ptr<const Shape> shape = make_shape(parameters.vesicles.front());
-    setup.rates.inner = relaxation_rate(fluid.kinematic_viscosity * type.viscosity_ratio);
-    setup.viscosity_ratio = type.viscosity_ratio;
-    setup.bending_modulus = type.bending.modulus;
-    if (const auto* helfrich = std::get_if<HelfrichBending>(&type.bending.form))
-        setup.spontaneous_curvature = helfrich->spontaneous_curvature;
-    const double radius = std::cbrt(shape->volume() * 3.0 / (4.0 * std::numbers::pi));
-    setup.membrane.bending = bending_law(type.bending);
-    setup.membrane.sigma = type.sigma;
-    const double sphere = 4.0 * std::numbers::pi * radius * radius;
-    setup.membrane.target.initial = shape->area();
-    setup.membrane.target.final = type.area.deflation ? *type.area.deflation * sphere : shape->area();
-    setup.membrane.target.ramp = type.area.ramp;
-    setup.membrane.area = area_law(type, radius, fluid.density * fluid.kinematic_viscosity,
-                                   fluid.kinematic_viscosity, setup.membrane.target.final / sphere - 1.0);
+    for (const VesicleParameters& vesicle : parameters.vesicles)
+        if (!vesicle.joins_previous)
+            setup.vesicles.push_back(vesicle_setup(parameters, vesicle));
+    setup.layer.labels = static_cast<int>(setup.vesicles.size());
+    for (const VesicleSetup& vesicle : setup.vesicles)
+        if (vesicle.membrane.bending.index() != setup.vesicles.front().membrane.bending.index())
+            throw InputError(
+                "the vesicles' membranes are of several bending forms; expected one form for all");
     setup.colours = initial_colours(parameters, setup.neighbourhood->block(), threads);
     return setup;
 }

@@ -9,14 +9,9 @@
 
 #include <memory>
 #include <string_view>
+#include <vector>
 
 namespace vesica {
-
-/// lambda of the stress: constant, or between two fluids.
-struct StressRates {
-    double outer = 1.0;
-    double inner = 1.0;
-};
 
 struct LayerSettings {
     double beta = 0.67;
@@ -24,6 +19,17 @@ struct LayerSettings {
     double cutoff = 1e-2;
     GeometryRecipe recipe = GeometryRecipe::mapped;
     double wetting = 0.0; ///< force per volume on red beside solids, towards them
+    int labels = 1;       ///< vesicles, each with a colour of its own
+};
+
+/// A vesicle as the engine uses it.
+struct VesicleSetup {
+    Membrane membrane;
+    double bending_modulus = 0.0;
+    double spontaneous_curvature = 0.0;
+    double viscosity_ratio = 1.0;
+    double inner_rate = 1.0; ///< lambda of the stress
+    Vec3<double> buoyancy{}; ///< force per volume on what is inside
 };
 
 /// A case's parameters as the engine uses them, the same for every precision and instruction set.
@@ -31,15 +37,12 @@ struct EngineSetup {
     std::shared_ptr<const Neighbourhood> neighbourhood; ///< the block and what lies around it
     double reference_density = 1.0;
     FlowDrive drive;
-    StressRates rates;
+    double outer_rate = 1.0; ///< lambda of the stress
     GhostRates ghosts;
     LayerSettings layer;
-    LayerMoments layer_moments; ///< of the relaxed layer
-    double spontaneous_curvature = 0.0;
-    double bending_modulus = 0.0;
-    double outer_viscosity = 0.0; ///< dynamic
-    double viscosity_ratio = 1.0;
-    Membrane membrane;
+    LayerMoments layer_moments;                    ///< of the relaxed layer
+    double outer_viscosity = 0.0;                  ///< dynamic
+    std::vector<VesicleSetup> vesicles;            ///< by label
     std::shared_ptr<const InitialColours> colours; ///< null: one fluid
     Precision precision = Precision::double_precision;
     int threads = 1;

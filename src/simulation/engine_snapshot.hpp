@@ -3,7 +3,6 @@
 #include "simulation/lattice_engine.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -70,50 +69,69 @@ private:
 
 } // namespace detail
 
-/// A point near the vesicle's middle: the circular mean of the core's cells, so that periodic images do not
+template <class Real>
+struct LatticeEngine<Real>::LayerCell {
+    int label = 0;
+    InterfaceCell cell;
+};
+
+template <class Real>
+struct LatticeEngine<Real>::LabelledSpan {
+    int label = 0;
+    InsideSpan span;
+};
+
+/// A point near each vesicle's middle: the circular mean of its core's cells, so that periodic images do not
 /// matter. They are counted plane by plane: the same bits however the box is shared out.
 template <class Real>
-Vec3<double> LatticeEngine<Real>::middle() const {
+std::vector<Vec3<double>> LatticeEngine<Real>::middles() const {
     const Vec3<int> box = block_.box;
     const auto for_each_core_cell = [&](const auto& body) {
         for (const BandTile& t : layer_.band().tiles())
             for (int k = 0; k < tile_width; ++k)
                 if ((t.bits[0] >> k & 1) != 0)
-                    body(grid_.tile_origin(t.tile) + block_.own.begin + Vec3<int>{k, 0, 0});
+                    body(static_cast<std::size_t>(t.label),
+                         grid_.tile_origin(t.tile) + block_.own.begin + Vec3<int>{k, 0, 0});
     };
-    const std::array<int, 3> begins{0, box.x, box.x + box.y};
-    std::vector<std::uint64_t> counts(static_cast<std::size_t>(box.x + box.y + box.z), 0);
-    for_each_core_cell([&](const Vec3<int>& cell) {
+    const std::size_t begins[3] = {0, static_cast<std::size_t>(box.x),
+                                   static_cast<std::size_t>(box.x + box.y)};
+    const std::size_t planes = begins[2] + static_cast<std::size_t>(box.z);
+    std::vector<Vec3<double>> middles(membranes_.size());
+    std::vector<std::uint64_t> counts(planes * middles.size(), 0);
+    for_each_core_cell([&](std::size_t label, const Vec3<int>& cell) {
         for (int a = 0; a < 3; ++a)
-            ++counts[static_cast<std::size_t>(begins[static_cast<std::size_t>(a)] + cell[a])];
+            ++counts[label * planes + begins[a] + static_cast<std::size_t>(cell[a])];
     });
     ranks().sum(counts);
-    Vec3<double> middle{};
-    for (int a = 0; a < 3; ++a) {
-        detail::CircularMean mean(box[a]);
-        for (int k = 0; k < box[a]; ++k)
-            mean.add(k + 0.5, static_cast<double>(
-                                  counts[static_cast<std::size_t>(begins[static_cast<std::size_t>(a)] + k)]));
-        middle[a] = mean.value();
-    }
-    if (block_.slide) {
-        // Images that have slid are counted apart: below, home, above.
-        const auto [across, along] = *block_.slide;
-        const auto length = static_cast<std::size_t>(box[along]);
-        counts.assign(3 * length, 0);
-        for_each_core_cell([&](const Vec3<int>& cell) {
-            const auto image = 1 - std::lround((cell[across] + 0.5 - middle[across]) / box[across]);
-            ++counts[static_cast<std::size_t>(image) * length + static_cast<std::size_t>(cell[along])];
-        });
-        ranks().sum(counts);
-        const double slid = setup_.drive.displacement(step_);
+    for (std::size_t label = 0; label < middles.size(); ++label)
+        for (int a = 0; a < 3; ++a) {
+            detail::CircularMean mean(box[a]);
+            for (int k = 0; k < box[a]; ++k)
+                mean.add(k + 0.5, static_cast<double>(
+                                      counts[label * planes + begins[a] + static_cast<std::size_t>(k)]));
+            middles[label][a] = mean.value();
+        }
+    if (!block_.slide)
+        return middles;
+    // Images that have slid are counted apart: below, home, above.
+    const auto [across, along] = *block_.slide;
+    const auto length = static_cast<std::size_t>(box[along]);
+    counts.assign(3 * length * middles.size(), 0);
+    for_each_core_cell([&](std::size_t label, const Vec3<int>& cell) {
+        const auto image = 1 - std::lround((cell[across] + 0.5 - middles[label][across]) / box[across]);
+        ++counts[(3 * label + static_cast<std::size_t>(image)) * length +
+                 static_cast<std::size_t>(cell[along])];
+    });
+    ranks().sum(counts);
+    const double slid = setup_.drive.displacement(step_);
+    for (std::size_t label = 0; label < middles.size(); ++label) {
         detail::CircularMean mean(box[along]);
-        for (std::size_t k = 0; k < counts.size(); ++k)
+        for (std::size_t k = 0; k < 3 * length; ++k)
             mean.add(static_cast<double>(k % length) + 0.5 + (static_cast<double>(k / length) - 1.0) * slid,
-                     static_cast<double>(counts[k]));
-        middle[along] = mean.value();
+                     static_cast<double>(counts[3 * length * label + k]));
+        middles[label][along] = mean.value();
     }
-    return middle;
+    return middles;
 }
 
 /// From phi = 0 to the surface of an obstacle, half-way along the links that end there.
@@ -137,9 +155,10 @@ double LatticeEngine<Real>::distance_to_obstacle(const InterfaceCell& cell, std:
 
 /// In the order of the tiles; positions as they lie in the box.
 template <class Real>
-std::vector<InterfaceCell> LatticeEngine<Real>::layer_cells() const {
-    std::vector<InterfaceCell> cells;
+std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_cells() const {
+    std::vector<LayerCell> cells;
     const LayerFields<Real>& fields = layer_.fields();
+    const double beta = setup_.layer.beta;
     for (const BandTile& t : layer_.band().tiles()) {
         const auto lanes = [&](const std::span<Real>& a) {
             return detail::LaneValues<Real>(V::load(a.data() + t.slot()));
@@ -177,63 +196,70 @@ std::vector<InterfaceCell> LatticeEngine<Real>::layer_cells() const {
                 cell.H = setup_.layer.recipe == GeometryRecipe::mapped ? cell.H0 * cell.J + cell.s * cell.K
                                                                        : cell.H0;
                 if ((t.bits[reach::force] >> k & 1) != 0) {
+                    const Membrane& membrane = membranes_[static_cast<std::size_t>(t.label)];
                     cell.bending_force = std::visit(
                         [&](const auto& law) { return law.force(force_H0[k], cell.K0, laplacian[k]); },
-                        membrane_.bending);
-                    cell.tension_force = TensionLaw{membrane_.tension()}.force(force_H0[k]);
+                        membrane.bending);
+                    cell.tension_force = TensionLaw{membrane.tension()}.force(force_H0[k]);
                 }
             }
             cell.force = force_at(index);
             cell.to_obstacle = distance_to_obstacle(cell, index);
-            cells.push_back(cell);
+            layer_.for_each_colour(index, fields.chi, [&](int label, Real other) {
+                if (label == t.label || magnitude(other) <= Real(0))
+                    return;
+                const double distance = signed_distance_of(static_cast<double>(other), 0.0, beta);
+                cell.to_vesicle = std::min(cell.to_vesicle, cell.s + distance);
+            });
+            cells.push_back({t.label, cell});
         }
     }
     return cells;
 }
 
-/// Runs of cells that are purely inside, outside the band's own cells, as they lie in the box.
+/// Runs of cells that are purely inside, outside their vesicle's band, as they lie in the box.
 template <class Real>
-std::vector<InsideSpan> LatticeEngine<Real>::inside_spans() const {
-    std::vector<InsideSpan> spans;
-    const std::vector<std::uint8_t> in_band = layer_.cells_of_level(Band::outermost);
+std::vector<typename LatticeEngine<Real>::LabelledSpan> LatticeEngine<Real>::inside_spans() const {
+    std::vector<LabelledSpan> spans;
     const Vec3<int> size = grid_.size();
     const Vec3<int> begin = block_.own.begin;
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y) {
-            bool open = false;
+            int open = -1;
             for (int x = 0; x < size.x; ++x) {
-                const std::int64_t cell = grid_.index(x, y, z);
-                const auto tile = static_cast<std::size_t>(cell / tile_width);
-                const bool red = ((layer_.inside()[tile] & ~in_band[tile]) >> (cell % tile_width) & 1) != 0;
-                if (red && open)
-                    ++spans.back().count;
-                else if (red)
-                    spans.push_back({begin.x + x, 1, begin.y + y, begin.z + z});
-                open = red;
+                const int owner = layer_.empty() ? -1 : layer_.owner_beyond_band(grid_.index(x, y, z));
+                if (owner >= 0 && owner == open)
+                    ++spans.back().span.count;
+                else if (owner >= 0)
+                    spans.push_back({owner, {begin.x + x, 1, begin.y + y, begin.z + z, {}}});
+                open = owner;
             }
         }
     return spans;
 }
 
-/// Mass and momentum of the vesicle's colour, exact sums over every cell of the block that has some of it.
+/// Mass and momentum of the vesicles' colours, exact sums over every cell of the block that has some of them.
 template <class Real>
-ColourSums LatticeEngine<Real>::colour_sums(const std::vector<InterfaceCell>& cells,
-                                            const std::vector<InsideSpan>& inside,
-                                            const Unwrap& unwrap) const {
-    ColourSums sums;
-    const auto boxes_slid = [&](const Vec3<int>& cell) {
-        return block_.slide ? unwrap.boxes_slid(cell) : 0.0;
+std::vector<ColourSums> LatticeEngine<Real>::colour_sums(const std::vector<LayerCell>& cells,
+                                                         const std::vector<LabelledSpan>& inside,
+                                                         const std::vector<Unwrap>& unwraps) const {
+    std::vector<ColourSums> sums(membranes_.size());
+    const auto boxes_slid = [&](std::size_t label, const Vec3<int>& cell) {
+        return block_.slide ? unwraps[label].boxes_slid(cell) : 0.0;
     };
-    for (const InterfaceCell& cell : cells)
-        sums.add(0.5 * (1.0 + cell.phi) * cell.density, cell.u, boxes_slid(detail::cell_of(cell)));
-    for (const InsideSpan& span : inside)
+    for (const auto& [label, cell] : cells) {
+        const auto of = static_cast<std::size_t>(label);
+        sums[of].add(0.5 * (1.0 + cell.phi) * cell.density, cell.u, boxes_slid(of, detail::cell_of(cell)));
+    }
+    for (const auto& [label, span] : inside)
         for (int k = 0; k < span.count; ++k) {
+            const auto of = static_cast<std::size_t>(label);
             const Vec3<int> place = Vec3<int>{span.begin + k, span.y, span.z} - block_.own.begin;
             const std::int64_t cell = grid_.index(place);
             const Moments<double> m = moments_at(cell);
-            sums.add(setup_.reference_density + m.density_deviation,
-                     velocity_of(m, setup_.reference_density, whole_force_at(cell)),
-                     boxes_slid({span.begin + k, span.y, span.z}));
+            sums[of].add(setup_.reference_density + m.density_deviation,
+                         velocity_of(m, setup_.reference_density, whole_force_at(cell)),
+                         boxes_slid(of, {span.begin + k, span.y, span.z}));
         }
     return sums;
 }
@@ -266,6 +292,22 @@ inline std::vector<InsideSpan> unwrapped(const std::vector<InsideSpan>& home, co
 
 } // namespace detail
 
+/// What is known of a vesicle without looking at cells.
+template <class Real>
+VesicleSnapshot LatticeEngine<Real>::described(std::size_t label) const {
+    const VesicleSetup& setup = setup_.vesicles[label];
+    VesicleSnapshot vesicle;
+    vesicle.beta = setup_.layer.beta;
+    vesicle.layer_moment = setup_.layer_moments.area;
+    vesicle.layer = setup_.layer_moments;
+    vesicle.bending_modulus = setup.bending_modulus;
+    vesicle.spontaneous_curvature = setup.spontaneous_curvature;
+    vesicle.viscosity_ratio = setup.viscosity_ratio;
+    vesicle.tension = membranes_[label].tension();
+    vesicle.target_area = membranes_[label].target.at(step_);
+    return vesicle;
+}
+
 template <class Real>
 Snapshot LatticeEngine<Real>::snapshot() const {
     Snapshot snapshot;
@@ -288,49 +330,51 @@ Snapshot LatticeEngine<Real>::snapshot() const {
     }
     if (layer_.empty())
         return snapshot;
-    VesicleSnapshot vesicle;
-    vesicle.beta = setup_.layer.beta;
-    vesicle.layer_moment = setup_.layer_moments.area;
-    vesicle.layer = setup_.layer_moments;
-    vesicle.bending_modulus = setup_.bending_modulus;
-    vesicle.spontaneous_curvature = setup_.spontaneous_curvature;
-    vesicle.viscosity_ratio = setup_.viscosity_ratio;
-    vesicle.tension = membrane_.tension();
-    vesicle.target_area = membrane_.target.at(step_);
     Vec3<int> period = block_.box;
     for (int a = 0; a < 3; ++a)
         if (setup_.drive.has_walls(a) || setup_.drive.is_open(a))
             period[a] = 0;
-    const Unwrap unwrap(period, middle(), block_.slide,
-                        snapshot.sliding ? snapshot.sliding->displacement : 0.0);
+    std::vector<Unwrap> unwraps;
+    for (const Vec3<double>& middle : middles())
+        unwraps.emplace_back(period, middle, block_.slide,
+                             snapshot.sliding ? snapshot.sliding->displacement : 0.0);
 
-    std::vector<InterfaceCell> cells = layer_cells();
-    std::vector<InsideSpan> inside = inside_spans();
-    const ColourSums sums = colour_sums(cells, inside, unwrap).over(ranks());
-    const auto in_order = [](const auto& a, const auto& b) {
-        return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+    std::vector<LayerCell> cells = layer_cells();
+    std::vector<LabelledSpan> inside = inside_spans();
+    const std::vector<ColourSums> sums = over_ranks(ranks(), colour_sums(cells, inside, unwraps));
+    const auto place_of = [](const LayerCell& c) {
+        return std::tie(c.cell.position.z, c.cell.position.y, c.cell.position.x, c.label);
     };
-    vesicle.cells = detail::gathered_list(ranks(), std::move(cells), [&](const auto& a, const auto& b) {
-        return in_order(a.position, b.position);
+    cells = detail::gathered_list(ranks(), std::move(cells), [&](const LayerCell& a, const LayerCell& b) {
+        return place_of(a) < place_of(b);
     });
     inside = detail::gathered_list(ranks(), std::move(inside), [](const auto& a, const auto& b) {
-        return std::tie(a.z, a.y, a.begin) < std::tie(b.z, b.y, b.begin);
+        return std::tie(a.span.z, a.span.y, a.span.begin) < std::tie(b.span.z, b.span.y, b.span.begin);
     });
     if (!ranks().leads())
         return snapshot;
-    // Beyond sliding faces velocities are those that the images there have.
-    if (snapshot.sliding)
-        for (InterfaceCell& cell : vesicle.cells)
-            cell.u[snapshot.sliding->velocity] +=
-                unwrap.boxes_slid(detail::cell_of(cell)) * snapshot.sliding->speed;
-    for (InterfaceCell& cell : vesicle.cells)
-        cell.position = cell.position + unwrap.shift(detail::cell_of(cell));
-    vesicle.inside = detail::unwrapped(inside, unwrap);
-    vesicle.colour_mass = sums.mass.value();
-    vesicle.momentum = {sums.momentum[0].value(), sums.momentum[1].value(), sums.momentum[2].value()};
-    if (snapshot.sliding)
-        vesicle.momentum[snapshot.sliding->velocity] += sums.slid.value() * snapshot.sliding->speed;
-    snapshot.vesicles.push_back(std::move(vesicle));
+    std::vector<std::vector<InsideSpan>> spans(membranes_.size());
+    for (const auto& [label, span] : inside)
+        spans[static_cast<std::size_t>(label)].push_back(span);
+    for (std::size_t label = 0; label < membranes_.size(); ++label) {
+        VesicleSnapshot& vesicle = snapshot.vesicles.emplace_back(described(label));
+        vesicle.inside = detail::unwrapped(spans[label], unwraps[label]);
+        vesicle.colour_mass = sums[label].mass.value();
+        for (int a = 0; a < 3; ++a)
+            vesicle.momentum[a] = sums[label].momentum[a].value();
+        if (snapshot.sliding)
+            vesicle.momentum[snapshot.sliding->velocity] +=
+                sums[label].slid.value() * snapshot.sliding->speed;
+    }
+    for (auto& [label, cell] : cells) {
+        const Unwrap& unwrap = unwraps[static_cast<std::size_t>(label)];
+        const Vec3<int> home = detail::cell_of(cell);
+        // Beyond sliding faces velocities are those that the images there have.
+        if (snapshot.sliding)
+            cell.u[snapshot.sliding->velocity] += unwrap.boxes_slid(home) * snapshot.sliding->speed;
+        cell.position = cell.position + unwrap.shift(home);
+        snapshot.vesicles[static_cast<std::size_t>(label)].cells.push_back(cell);
+    }
     return snapshot;
 }
 

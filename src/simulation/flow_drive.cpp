@@ -32,10 +32,7 @@ FlowDrive::FlowDrive(const Parameters& parameters)
       ends_(parameters.ends),
       flow_(parameters.flow),
       obstacles_(solid_voxels(parameters)),
-      has_solids_(parameters.is_bounded() || obstacles_ != nullptr) {
-    if (!parameters.vesicles.empty())
-        buoyancy_ = parameters.buoyancy_of(parameters.vesicles.front());
-}
+      has_solids_(parameters.is_bounded() || obstacles_ != nullptr) {}
 
 /// Where the layers of two axes meet, walls count before ends that let fluid through, and then the first
 /// axis.

@@ -50,10 +50,6 @@ public:
         return flow_.shear->times.total(step) * flow_.shear->rate * size_[flow_.shear->gradient];
     }
 
-    /// Whether a force on everything must balance the buoyancy, as no wall does.
-    bool needs_answer() const { return !has_solids_ && buoyancy_ != Vec3<double>{}; }
-    const Vec3<double>& buoyancy() const { return buoyancy_; }
-
     /// Of the fluid's box.
     const Vec3<int>& size() const { return size_; }
     bool has_walls(int axis) const {
@@ -80,7 +76,6 @@ private:
     FlowParameters flow_;
     std::shared_ptr<const SolidVoxels> obstacles_;
     bool has_solids_ = false;
-    Vec3<double> buoyancy_{};
 };
 
 } // namespace vesica

@@ -8,7 +8,7 @@
 #include "lattice/solid_cells.hpp"
 #include "parallel/for_each.hpp"
 #include "parallel/pack.hpp"
-#include "simulation/engine_setup.hpp"
+#include "simulation/layer_influence.hpp"
 #include "simulation/rank_boundary.hpp"
 #include "simulation/row_schedule.hpp"
 
@@ -17,42 +17,28 @@
 
 namespace vesica {
 
-/// What the fluid feels of the membranes: forces in the band's compact arrays, and colours where viscosities
-/// differ.
-template <class Real>
-struct LayerInfluence {
-    const std::int32_t* force_slot =
-        nullptr; ///< per tile: compact address of its forces, -1 where there are none
-    FieldView<const Real> force;
-    bool contrast = false; ///< inner and outer viscosity differ
-    const std::int32_t* colour_slot = nullptr;
-    const Real* red = nullptr;            ///< rho_R/rho there, before streaming: a step does not write it
-    const std::uint8_t* inside = nullptr; ///< per tile: bit k set where cell k, outside the band, is red
-};
-
 /// What drives the fluid, and what it cannot pass.
 template <class Real>
 struct FlowInfluence {
     Vec3<double> body_force{};               ///< per volume, in every cell
-    Vec3<double> buoyancy{};                 ///< per volume of red
     const SolidCells* solids = nullptr;      ///< null: none
     const BounceBack<Real>* walls = nullptr; ///< null: none
     LeesEdwards<Real>* sliding = nullptr;    ///< null: no face slides
     std::function<void()>
         on_departure{}; ///< called when the populations that leave through sliding faces are known
 
-    bool pushes() const { return body_force != Vec3<double>{} || buoyant(); }
-    bool buoyant() const { return buoyancy != Vec3<double>{}; }
+    bool pushes() const { return body_force != Vec3<double>{}; }
 };
 
-/// lambda between two fluids, from 1/nu linear in the colour's fraction: a layer sheared along itself (equal
-/// stress, velocities adding up) is then exact.
+/// 1/nu, but for a factor.
+constexpr double thinness_of(double rate) {
+    return 1.0 / (1.0 / rate - 0.5);
+}
+/// lambda of what lies between fluids, from 1/nu linear in the colours' shares: a layer sheared along itself
+/// (equal stress, velocities adding up) is then exact.
 template <class V>
-[[gnu::always_inline]] inline V rate_between(const StressRates& rates, const V& red) {
-    const double outer_excess = 1.0 / rates.outer - 0.5;
-    const double inner_excess = 1.0 / rates.inner - 0.5;
-    const V inverse_excess = fma(red, V(1.0 / inner_excess - 1.0 / outer_excess), V(1.0 / outer_excess));
-    return V(1) / (V(0.5) + V(1) / inverse_excess);
+[[gnu::always_inline]] inline V rate_of_thinness(const V& thinness) {
+    return V(1) / (V(0.5) + V(1) / thinness);
 }
 
 /// Collides every cell and streams it, in place, in one pass over the block. Whoever needs the populations of
@@ -63,20 +49,21 @@ template <class Real, class Collision>
 class FluidStep {
 public:
     FluidStep() = default;
-    FluidStep(const Grid& grid, const PopulationView<Real>& f, const Collision& collision,
-              const StressRates& rates, double reference_density)
+    FluidStep(const Grid& grid, const PopulationView<Real>& f, const Collision& collision, double outer_rate,
+              double reference_density)
         : grid_(grid),
           f_(f),
           boundary_(f, grid),
           collision_(collision),
-          rates_(rates),
+          outer_rate_(outer_rate),
           rho0_(reference_density) {}
 
     /// `others` is null where the block meets no images in messages.
     template <class Settled>
     void operator()(Streaming streaming, const LayerInfluence<Real>& layer, const FlowInfluence<Real>& flow,
                     RankBoundary<Real>* others, int threads, const Settled& settled) const {
-        const Influence influence{layer, flow, flow.pushes(), layer.contrast || flow.buoyant()};
+        const Influence influence{layer, flow, flow.pushes() || layer.buoyant,
+                                  layer.contrast || layer.buoyant};
         if (streaming == Streaming::arrived)
             step<Streaming::arrived>(influence, others, threads, settled);
         else
@@ -266,12 +253,17 @@ private:
         const LayerInfluence<Real>& layer = influence.layer;
         const auto follow = [&](const std::int32_t* slot) {
             for (int k = 1; k < count; ++k)
-                if (slot[tile + k] != (slot[tile] < 0 ? -1 : slot[tile] + k * tile_width))
+                if (slot[tile + k] != (slot[tile] < 0 ? outside_bands : slot[tile] + k * tile_width))
                     return false;
             return true;
         };
-        return layer.force_slot == nullptr ||
-               (follow(layer.force_slot) && (!influence.by_colour || follow(layer.colour_slot)));
+        const auto alike = [&] {
+            for (int k = 1; k < count; ++k)
+                if (layer.interior[tile + k] != layer.interior[tile])
+                    return false;
+            return !is_shared(layer.colour_slot[tile]) && follow(layer.colour_slot);
+        };
+        return layer.force_slot == nullptr || (follow(layer.force_slot) && (!influence.by_colour || alike()));
     }
 
     /// Cells without a force have a text of their own.
@@ -285,7 +277,7 @@ private:
             if (solid == static_cast<std::uint32_t>((std::uint64_t{1} << V::width) - 1))
                 return;
         }
-        const V rate = layer.contrast ? local_rate<V>(tile, layer) : V(rates_.outer);
+        const V rate = layer.contrast ? local_rate<V>(tile, layer) : V(outer_rate_);
         const std::int32_t slot = layer.force_slot != nullptr ? layer.force_slot[tile] : -1;
         if (slot < 0 && !influence.pushed) {
             collide<streaming>(cell, next, Vec3<V>{V(0), V(0), V(0)}, rate, solid);
@@ -304,33 +296,23 @@ private:
     Vec3<V> flow_force(std::int64_t tile, const Influence& influence) const {
         const FlowInfluence<Real>& flow = influence.flow;
         Vec3<V> F{V(flow.body_force.x), V(flow.body_force.y), V(flow.body_force.z)};
-        if (flow.buoyant() && influence.layer.colour_slot != nullptr) {
-            const V red = red_at<V>(tile, influence.layer);
-            F = F + Vec3<V>{red * V(flow.buoyancy.x), red * V(flow.buoyancy.y), red * V(flow.buoyancy.z)};
-        }
+        if (influence.layer.buoyant)
+            influence.layer.template for_each_colour<V>(tile, [&](std::int32_t label, const V& share) {
+                const Vec3<double>& lift = influence.layer.inner[label].buoyancy;
+                F = F + Vec3<V>{share * V(lift.x), share * V(lift.y), share * V(lift.z)};
+            });
         return F;
     }
 
     template <class V>
     V local_rate(std::int64_t tile, const LayerInfluence<Real>& layer) const {
-        const std::int32_t slot = layer.colour_slot[tile];
-        if (slot >= 0)
-            return rate_between(rates_, V::load(layer.red + slot));
-        return select<Real>(inside<V>(tile, layer), V(rates_.inner), V(rates_.outer));
-    }
-
-    template <class V>
-    V red_at(std::int64_t tile, const LayerInfluence<Real>& layer) const {
-        const std::int32_t slot = layer.colour_slot[tile];
-        return slot >= 0 ? V::load(layer.red + slot) : select<Real>(inside<V>(tile, layer), V(1), V(0));
-    }
-
-    template <class V>
-    static typename V::Mask inside(std::int64_t tile, const LayerInfluence<Real>& layer) {
-        std::uint32_t bits = layer.inside[tile];
-        for (int k = 1; k < V::width / tile_width; ++k)
-            bits |= std::uint32_t{layer.inside[tile + k]} << (k * tile_width);
-        return V::mask(bits);
+        if (layer.colour_slot[tile] == outside_bands)
+            return V(layer.interior[tile] < 0 ? outer_rate_ : layer.inner[layer.interior[tile]].rate);
+        V thinness = V(thinness_of(outer_rate_));
+        layer.template for_each_colour<V>(tile, [&](std::int32_t label, const V& share) {
+            thinness = fma(share, V(layer.inner[label].thinning), thinness);
+        });
+        return rate_of_thinness(thinness);
     }
 
     /// The machine foresees long runs of memory only: meanwhile it is asked for the row that comes next, line
@@ -363,7 +345,7 @@ private:
     PopulationView<Real> f_;
     PeriodicBoundary<Real> boundary_;
     Collision collision_;
-    StressRates rates_;
+    double outer_rate_ = 1.0;
     double rho0_ = 1.0;
 };
 

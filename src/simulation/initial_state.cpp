@@ -39,9 +39,22 @@ struct InitialColours::Row {
     double far;
 };
 
-InitialColours::Row InitialColours::row_near(int y, int z, double far) const {
-    Row row{{}, far};
+std::vector<InitialColours::Placed> InitialColours::shapes_near_plane(int z, double far) const {
+    std::vector<Placed> near;
     for (const Placed& placed : shapes_) {
+        const double reach = placed.shape->bounding_radius() + far;
+        for (const double from : offsets(z + 0.5, placed.centre.z, block_.box.z).way)
+            if (std::abs(from) < reach) {
+                near.push_back(placed);
+                break;
+            }
+    }
+    return near;
+}
+
+InitialColours::Row InitialColours::row_near(std::span<const Placed> shapes, int y, int z, double far) const {
+    Row row{{}, far};
+    for (const Placed& placed : shapes) {
         const double reach = squared(placed.shape->bounding_radius() + far);
         for (const double from_y : offsets(y + 0.5, placed.centre.y, block_.box.y).way)
             for (const double from_z : offsets(z + 0.5, placed.centre.z, block_.box.z).way)
@@ -51,8 +64,8 @@ InitialColours::Row InitialColours::row_near(int y, int z, double far) const {
     return row;
 }
 
-/// From the nearest surface; `far` where that is farther.
-double InitialColours::distance(const Row& row, int x) const {
+/// From the nearest surface of a label; `far` where that is farther.
+double InitialColours::distance(const Row& row, int x, int label) const {
     struct Candidate {
         const Row::Near* image = nullptr;
         double x = 0.0; ///< of the cell, from the image's centre
@@ -60,12 +73,15 @@ double InitialColours::distance(const Row& row, int x) const {
             std::numeric_limits<double>::max(); ///< no surface is nearer than its bounding sphere
     };
     const auto for_each_in_reach = [&](const auto& body) {
-        for (const Row::Near& image : row.images)
+        for (const Row::Near& image : row.images) {
+            if (image.placed->label != label)
+                continue;
             for (const double from_x : offsets(x + 0.5, image.placed->centre.x, block_.box.x).way)
                 if (squared(from_x) < image.reach)
                     body(Candidate{&image, from_x,
                                    std::sqrt(squared(from_x) + squared(image.y) + squared(image.z)) -
                                        image.placed->shape->bounding_radius()});
+        }
     };
     const auto exactly = [&](const Candidate& candidate) {
         const Vec3<double>& centre = candidate.image->placed->centre;
@@ -95,7 +111,7 @@ InitialColours::InitialColours(const Block& block, std::vector<Placed> shapes, d
       grid_(block.own.size),
       shapes_(std::move(shapes)),
       beta_(beta),
-      inside_(static_cast<std::size_t>(grid_.tiles()), 0) {
+      interior_(static_cast<std::size_t>(grid_.tiles()), -1) {
     const Vec3<int> size = grid_.size();
     const Vec3<int> begin = block.own.begin;
     // 1 - tanh^2(beta s) = cutoff at this distance.
@@ -103,25 +119,31 @@ InitialColours::InitialColours(const Block& block, std::vector<Placed> shapes, d
     std::vector<std::vector<Band::Seed>> core_of_plane(static_cast<std::size_t>(size.z));
     for_each_index(size.z, threads, [&](std::int64_t plane) {
         const int z = static_cast<int>(plane);
+        const std::vector<Placed> near = shapes_near_plane(begin.z + z, core_reach + 1.0);
         for (int y = 0; y < size.y; ++y) {
-            const Row row = row_near(begin.y + y, begin.z + z, core_reach + 1.0);
-            if (row.images.empty())
-                continue;
-            for (int x0 = 0; x0 < size.x; x0 += Grid::tile) {
+            const Row row = row_near(near, begin.y + y, begin.z + z, core_reach + 1.0);
+            for (int x0 = 0; x0 < size.x && !row.images.empty(); x0 += Grid::tile) {
                 const std::int64_t tile = grid_.index(x0, y, z) / Grid::tile;
-                unsigned core = 0;
-                unsigned red = 0;
-                for (int k = 0; k < Grid::tile && x0 + k < size.x; ++k) {
-                    const double s = distance(row, begin.x + x0 + k);
-                    if (s < 0.0)
-                        red |= 1u << k;
-                    if (std::abs(s) < core_reach)
-                        core |= 1u << k;
+                const unsigned all = grid_.interior_bits({x0, y, z});
+                int previous = -1;
+                for (const Row::Near& image : row.images) {
+                    const int label = image.placed->label;
+                    if (label == previous)
+                        continue;
+                    previous = label;
+                    unsigned core = 0;
+                    unsigned red = 0;
+                    for (int k = 0; k < Grid::tile && x0 + k < size.x; ++k) {
+                        const double s = distance(row, begin.x + x0 + k, label);
+                        red |= (s < 0.0 ? 1u : 0u) << k;
+                        core |= (std::abs(s) < core_reach ? 1u : 0u) << k;
+                    }
+                    if (red == all)
+                        interior_[static_cast<std::size_t>(tile)] = label;
+                    if (core != 0)
+                        core_of_plane[static_cast<std::size_t>(z)].push_back(
+                            {tile, static_cast<std::uint8_t>(core), label});
                 }
-                inside_[static_cast<std::size_t>(tile)] = static_cast<std::uint8_t>(red);
-                if (core != 0)
-                    core_of_plane[static_cast<std::size_t>(z)].push_back(
-                        {tile, static_cast<std::uint8_t>(core)});
             }
         }
     });
@@ -129,11 +151,14 @@ InitialColours::InitialColours(const Block& block, std::vector<Placed> shapes, d
         core_.insert(core_.end(), core.begin(), core.end());
 }
 
-double InitialColours::chi_at(std::int64_t index) const {
+double InitialColours::chi_at(std::int64_t index, int label) const {
     Vec3<int> cell = grid_.tile_origin(index / Grid::tile) + block_.own.begin;
     cell.x += static_cast<int>(index % Grid::tile);
-    const Row row = row_near(cell.y, cell.z, 40.0 / beta_); // where the layer has long died away
-    const double s = distance(row, cell.x);
+    const auto shapes = std::equal_range(shapes_.begin(), shapes_.end(), Placed{nullptr, {}, label},
+                                         [](const Placed& a, const Placed& b) { return a.label < b.label; });
+    // To where the layer has long died away.
+    const Row row = row_near(std::span(shapes.first, shapes.second), cell.y, cell.z, 40.0 / beta_);
+    const double s = distance(row, cell.x, label);
     // (1 - tanh(beta |s|))/2 = 1/(1 + exp(2 beta |s|)) keeps its digits in the tail.
     return with_sign_bit(s < 0.0, 1.0 / (1.0 + std::exp(2.0 * beta_ * std::abs(s))));
 }

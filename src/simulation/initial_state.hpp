@@ -8,41 +8,45 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace vesica {
 
-/// The colours a run starts from, in a block of a periodic box: phi = -tanh(beta s), s the distance from the
-/// nearest shape's surface.
+/// The colours a run starts from, in a block of a periodic box: per label phi = -tanh(beta s), s the distance
+/// from the surface of the nearest of its shapes.
 class InitialColours {
 public:
     struct Placed {
         std::shared_ptr<const Shape> shape;
         Vec3<double> centre;
+        int label = 0;
     };
 
+    /// Shapes with ascending labels.
     InitialColours(const Block& block, std::vector<Placed> shapes, double beta, double cutoff, int threads);
 
     /// Cells whose 1 - phi^2 exceeds the cutoff.
     const std::vector<Band::Seed>& core() const { return core_; }
-    /// Per tile: bit k set where cell k lies inside.
-    const std::vector<std::uint8_t>& inside() const { return inside_; }
+    /// Per tile: the label inside whose shapes all of it lies; -1: none.
+    const std::vector<std::int32_t>& interior() const { return interior_; }
     /// Signed minority fraction of a cell of the block, by grid index.
-    double chi_at(std::int64_t cell) const;
+    double chi_at(std::int64_t cell, int label) const;
 
 private:
     struct Row;
 
-    /// The images of shapes that come within `far` of a row of cells, by its place in the whole box.
-    Row row_near(int y, int z, double far) const;
-    double distance(const Row& row, int x) const;
+    /// The images of these shapes that come within `far` of a row of cells, by its place in the whole box.
+    Row row_near(std::span<const Placed> shapes, int y, int z, double far) const;
+    std::vector<Placed> shapes_near_plane(int z, double far) const;
+    double distance(const Row& row, int x, int label) const;
 
     Block block_;
     Grid grid_;
     std::vector<Placed> shapes_;
     double beta_;
     std::vector<Band::Seed> core_;
-    std::vector<std::uint8_t> inside_;
+    std::vector<std::int32_t> interior_;
 };
 
 } // namespace vesica

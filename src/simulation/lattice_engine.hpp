@@ -7,6 +7,7 @@
 #include "lattice/unwrap.hpp"
 #include "simulation/colour_sums.hpp"
 #include "simulation/engine.hpp"
+#include "simulation/engine_extremes.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/fluid_step.hpp"
 #include "simulation/layer_forces.hpp"
@@ -16,8 +17,8 @@
 #include "simulation/step_profile.hpp"
 #include "simulation/wall_forces.hpp"
 
+#include <algorithm>
 #include <optional>
-#include <tuple>
 
 namespace vesica {
 
@@ -52,7 +53,7 @@ struct MakeFluidStep {
 private:
     template <class Collision>
     AnyFluidStep<Real> make(const Collision& collision) const {
-        return FluidStep<Real, Collision>(grid, f, collision, setup.rates, setup.reference_density);
+        return FluidStep<Real, Collision>(grid, f, collision, setup.outer_rate, setup.reference_density);
     }
 };
 
@@ -71,8 +72,13 @@ public:
           solids_(solids_of(setup.drive, block_)),
           walls_(walls_of(setup.drive)),
           fluid_(std::visit(MakeFluidStep<Real>{grid_, f_, setup}, setup.ghosts)),
-          layer_(setup.neighbourhood, setup.layer, solids()),
-          membrane_(setup.membrane) {
+          layer_(setup.neighbourhood, setup.layer, solids()) {
+        for (const VesicleSetup& vesicle : setup_.vesicles) {
+            membranes_.push_back(vesicle.membrane);
+            inner_.push_back({vesicle.inner_rate,
+                              thinness_of(vesicle.inner_rate) - thinness_of(setup_.outer_rate),
+                              vesicle.buoyancy});
+        }
         if (!block_.is_whole())
             others_.emplace(*setup_.neighbourhood, f_, grid_);
         if (block_.slide)
@@ -83,8 +89,10 @@ public:
         if (setup_.colours != nullptr) {
             layer_.place(
                 setup_.colours->core(),
-                [&](std::int64_t cell) { return static_cast<Real>(setup_.colours->chi_at(cell)); },
-                setup_.colours->inside(), setup_.threads);
+                [&](std::int64_t cell, int label) {
+                    return static_cast<Real>(setup_.colours->chi_at(cell, label));
+                },
+                setup_.colours->interior(), setup_.threads);
             layer_.weigh(f_, streaming_, setup_.threads);
             layer_.locate(setup_.threads);
             find_geometry();
@@ -126,39 +134,6 @@ public:
 private:
     class Planes;
 
-    /// The largest of a quantity over the box and where it is; what is not a number is larger than all, and
-    /// of equals the first cell in canonical order counts.
-    struct Extreme {
-        double size = 0.0;
-        Vec3<int> cell{};
-        bool in_layer = false;
-
-        void take(const Extreme& other) {
-            if (is_before(other, *this))
-                *this = other;
-        }
-
-    private:
-        static bool is_before(const Extreme& a, const Extreme& b) {
-            if (std::isnan(a.size) != std::isnan(b.size))
-                return std::isnan(a.size);
-            if (a.size > b.size || b.size > a.size)
-                return a.size > b.size;
-            return std::tie(a.cell.z, a.cell.y, a.cell.x) < std::tie(b.cell.z, b.cell.y, b.cell.x);
-        }
-    };
-    struct Extremes {
-        Extreme speed;
-        Extreme density; ///< its distance from the reference
-        Extreme force;
-
-        void take(const Extremes& other) {
-            speed.take(other.speed);
-            density.take(other.density);
-            force.take(other.force);
-        }
-    };
-
     const Ranks& ranks() const { return setup_.neighbourhood->ranks(); }
 
     /// What was waited for other ranks since the last time is no part of the work.
@@ -197,9 +172,9 @@ private:
 
     void push_fluid() {
         enter(StepPart::forces);
-        hold_area();
+        hold_areas();
         answer_buoyancy();
-        layer_.forces(membrane_, setup_.threads);
+        layer_.forces(membranes_, setup_.threads);
     }
 
     void collide_and_stream() {
@@ -213,8 +188,7 @@ private:
         RankBoundary<Real>* const others = others_ ? &*others_ : nullptr;
         if (solids_)
             walls_.set_walls(setup_.drive.walls(step_));
-        FlowInfluence<Real> flow{body_force(), setup_.drive.buoyancy(), solids(),
-                                 solids_ ? &walls_ : nullptr};
+        FlowInfluence<Real> flow{body_force(), solids(), solids_ ? &walls_ : nullptr};
         if (sliding_) {
             sliding_->set(setup_.drive.displacement(step_), setup_.drive.slide_speed(step_));
             flow.sliding = &*sliding_;
@@ -240,14 +214,16 @@ private:
             layer_.slide_to(setup_.drive.displacement(step_));
     }
 
-    void hold_area() { membrane_.hold_area(corrected_area(), step_); }
+    void hold_areas() {
+        for (std::size_t label = 0; label < membranes_.size(); ++label)
+            membranes_[label].hold_area(corrected_area(layer_.sums(static_cast<int>(label))), step_);
+    }
 
     /// The measured area without the layer's excess, as measure/layer_moment.hpp states it.
-    double corrected_area() const {
-        const double spheres = std::round(layer_.sums().gaussian_curvature / (4.0 * pi));
+    double corrected_area(const LayerSums& sums) const {
+        const double spheres = std::round(sums.gaussian_curvature / (4.0 * pi));
         const LayerMoments& excess = setup_.layer_moments;
-        return layer_.sums().raw_area - 4.0 * pi * spheres * excess.area -
-               excess.bending * layer_.sums().square_mean_curvature;
+        return sums.raw_area - 4.0 * pi * spheres * excess.area - excess.bending * sums.square_mean_curvature;
     }
 
     LayerInfluence<Real> influence() const {
@@ -256,10 +232,16 @@ private:
             return influence;
         influence.force_slot = layer_.force_slots().data();
         influence.force = layer_.force().view();
-        influence.contrast = setup_.rates.inner != setup_.rates.outer;
+        influence.contrast = std::any_of(inner_.begin(), inner_.end(), [&](const InnerFluid& fluid) {
+            return fluid.rate != setup_.outer_rate;
+        });
+        influence.buoyant = is_buoyant();
+        influence.inner = inner_.data();
         influence.colour_slot = layer_.colour_slots().data();
+        influence.label = layer_.slot_labels().data();
+        influence.interior = layer_.interior().data();
+        influence.shared = &layer_.shared();
         influence.red = layer_.fields().red.data();
-        influence.inside = layer_.inside().data();
         return influence;
     }
 
@@ -288,11 +270,20 @@ private:
         walls_.set_walls(walls);
     }
 
+    bool is_buoyant() const {
+        return std::any_of(inner_.begin(), inner_.end(),
+                           [](const InnerFluid& fluid) { return fluid.buoyancy != Vec3<double>{}; });
+    }
+
     /// In a periodic box nothing else would hold what the vesicles' buoyancy gives the fluid.
     void answer_buoyancy() {
-        if (setup_.drive.needs_answer())
-            answer_ = (-layer_.sums().red / static_cast<double>(setup_.drive.fluid_cells())) *
-                      setup_.drive.buoyancy();
+        if (setup_.drive.has_solids() || !is_buoyant())
+            return;
+        answer_ = {};
+        for (std::size_t label = 0; label < inner_.size(); ++label)
+            answer_ = answer_ + (-layer_.sums(static_cast<int>(label)).red /
+                                 static_cast<double>(setup_.drive.fluid_cells())) *
+                                    inner_[label].buoyancy;
     }
     /// What pushes every cell at present.
     Vec3<double> body_force() const { return setup_.drive.body_force(step_) + answer_; }
@@ -313,23 +304,13 @@ private:
         return moments_of(g);
     }
 
-    /// rho_R/rho.
-    double red_at(std::int64_t cell) const {
-        if (layer_.empty())
-            return 0.0;
-        const auto tile = static_cast<std::size_t>(cell / tile_width);
-        const std::int32_t slot = layer_.colour_slots()[tile];
-        if (slot >= 0)
-            return static_cast<double>(
-                layer_.fields().red[static_cast<std::size_t>(slot + cell % tile_width)]);
-        return (layer_.inside()[tile] >> (cell % tile_width) & 1) != 0 ? 1.0 : 0.0;
-    }
-
     /// Everything that pushes a cell.
     Vec3<double> whole_force_at(std::int64_t cell) const {
         Vec3<double> force = force_at(cell) + body_force();
-        if (setup_.drive.buoyancy() != Vec3<double>{})
-            force = force + red_at(cell) * setup_.drive.buoyancy();
+        if (is_buoyant() && !layer_.empty())
+            layer_.for_each_share(cell, [&](int label, double share) {
+                force = force + share * inner_[static_cast<std::size_t>(label)].buoyancy;
+            });
         return force;
     }
 
@@ -345,22 +326,22 @@ private:
                 static_cast<double>(F.component(2)[at])};
     }
 
-    static Extremes nothing_yet() {
-        Extremes none;
-        none.speed.size = none.density.size = none.force.size = -1.0;
-        return none;
-    }
     Extremes extremes() const;
     DenseField own_field(std::string_view name) const;
     DenseField gathered(const DenseField& part) const;
     DenseField cropped(DenseField field) const;
     std::optional<Vec3<int>> cell_at_open_end() const;
-    Vec3<double> middle() const;
-    std::vector<InterfaceCell> layer_cells() const;
+    int vesicle_at(const Vec3<int>& place) const;
+    std::vector<Vec3<double>> middles() const;
+    VesicleSnapshot described(std::size_t label) const;
+    struct LayerCell;
+    struct LabelledSpan;
+    std::vector<LayerCell> layer_cells() const;
     double distance_to_obstacle(const InterfaceCell& cell, std::int64_t index) const;
-    std::vector<InsideSpan> inside_spans() const;
-    ColourSums colour_sums(const std::vector<InterfaceCell>& cells, const std::vector<InsideSpan>& inside,
-                           const Unwrap& unwrap) const;
+    std::vector<LabelledSpan> inside_spans() const;
+    std::vector<ColourSums> colour_sums(const std::vector<LayerCell>& cells,
+                                        const std::vector<LabelledSpan>& inside,
+                                        const std::vector<Unwrap>& unwraps) const;
 
     /// body(place in the block's canonical order z, y, x; index in the grid)
     template <class Body>
@@ -386,7 +367,8 @@ private:
     Layer<Real> layer_;
     std::optional<RankBoundary<Real>> others_; ///< none where the block meets no images in messages
     std::optional<LeesEdwards<Real>> sliding_; ///< where the box slides past its images
-    Membrane membrane_;
+    std::vector<Membrane> membranes_;          ///< by label
+    std::vector<InnerFluid> inner_;            ///< by label
     Streaming streaming_ = Streaming::arrived;
     std::int64_t step_ = 0;
     StepClock clock_;

@@ -12,45 +12,26 @@
 #include "membrane/layer_force.hpp"
 #include "membrane/tension.hpp"
 #include "parallel/for_each.hpp"
-#include "parallel/lane_sum.hpp"
 #include "parallel/neighbourhood.hpp"
 #include "simulation/band_halo.hpp"
 #include "simulation/engine_setup.hpp"
 #include "simulation/layer_fields.hpp"
 #include "simulation/layer_reach.hpp"
+#include "simulation/layer_sums.hpp"
 #include "simulation/membrane_model.hpp"
+#include "simulation/shared_tiles.hpp"
 #include "simulation/solid_margin.hpp"
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <functional>
 
 namespace vesica {
 
-/// Sums over a layer, independent of the order they are made in.
-struct LayerSums {
-    double raw_area = 0.0;              ///< sum (beta/2)(1 - phi^2)
-    double gaussian_curvature = 0.0;    ///< int K dA
-    double square_mean_curvature = 0.0; ///< int H^2 dA
-    double red = 0.0;                   ///< sum rho_R/rho over all cells
-};
-
-/// What a thread's share of a transport amounts to; on a cache line of its own.
-struct alignas(64) TransportSums {
-    LaneSum<50> leaked; ///< red that left the band, in cells' worth of fluid
-    LaneSum<38> layer;  ///< 1 - phi^2
-    double seconds = 0.0;
-
-    void merge(const TransportSums& other) {
-        leaked.merge(other.leaked);
-        layer.merge(other.layer);
-        seconds += other.seconds;
-    }
-};
-
 /// The diffuse interface: carries the colours, finds the surface's geometry and turns it into forces. A step
 /// is transport, along with the fluid, and then locate, normals, curvatures, slopes, forces, each a pass over
-/// the tiles of its level.
+/// the tiles of its level. Every vesicle has a label, a phase field of its own against everything else, and a
+/// band round it; where bands overlap a tile is worked on once for each.
 template <class Real>
 class Layer {
 public:
@@ -65,9 +46,12 @@ public:
           band_(neighbourhood_->block(), solids),
           faces_(band_.grid(), neighbourhood_->block()),
           halo_(*neighbourhood_),
-          inside_(static_cast<std::size_t>(band_.grid().tiles()), 0),
+          interior_(static_cast<std::size_t>(band_.grid().tiles()), -1),
           force_slots_(static_cast<std::size_t>(band_.grid().tiles()), -1),
-          colour_slots_(static_cast<std::size_t>(band_.grid().tiles()), -1) {}
+          colour_slots_(static_cast<std::size_t>(band_.grid().tiles()), -1),
+          sums_(at(settings.labels)),
+          leaked_(at(settings.labels), 0.0),
+          layer_sum_(at(settings.labels), 0.0) {}
     /// In the whole of a periodic box.
     Layer(const Grid& box, const LayerSettings& settings)
         : Layer(std::make_shared<const Neighbourhood>(box.size()), settings) {}
@@ -75,41 +59,66 @@ public:
     const Band& band() const { return band_; }
     const LayerFields<Real>& fields() const { return fields_; }
     const Field<Real>& force() const { return force_; }
-    const std::vector<std::uint8_t>& inside() const { return inside_; }
+    /// Per tile: the label of the vesicle it lies in, beyond that one's band; -1: none.
+    const std::vector<std::int32_t>& interior() const { return interior_; }
+    /// Per tile: compact address of its forces, -1 where there are none.
     const std::vector<std::int32_t>& force_slots() const { return force_slots_; }
+    /// Per tile: compact address of its colours in the one band that has it; outside_bands; or where it has
+    /// several colours a shared_slot().
     const std::vector<std::int32_t>& colour_slots() const { return colour_slots_; }
+    const SharedTiles& shared() const { return shared_; }
+    /// Per compact tile: the label whose it is, -1 for those that no tile of the band has.
+    const std::vector<std::int32_t>& slot_labels() const { return slot_labels_; }
     const std::vector<Band::Seed>& core() const { return laid_out_core_; }
-    const LayerSums& sums() const { return sums_; }
+    int labels() const { return settings_.labels; }
+    const LayerSums& sums(int label = 0) const { return sums_[at(label)]; }
     const LayerSettings& settings() const { return settings_; }
     /// No rank has a layer.
     bool empty() const { return empty_; }
     const Messages& messages() const { return halo_.messages(); }
 
-    /// Per tile of the grid: bit k set where cell k belongs to a level of the band.
+    /// Per tile of the grid: bit k set where cell k belongs to a level of a band.
     std::vector<std::uint8_t> cells_of_level(int level) const {
-        std::vector<std::uint8_t> bits(inside_.size(), 0);
+        std::vector<std::uint8_t> bits(interior_.size(), 0);
         for (const BandTile& t : band_.tiles())
-            bits[at(t.tile)] = t.bits[level];
+            bits[at(t.tile)] = static_cast<std::uint8_t>(bits[at(t.tile)] | t.bits[level]);
         return bits;
+    }
+
+    /// The vesicle inside which a cell lies without belonging to its band; -1: none.
+    int owner_beyond_band(std::int64_t cell) const;
+    /// body(CellColour) for all that a cell's state holds, by label: those whose band has it, and the vesicle
+    /// inside which it lies.
+    template <class Body>
+    void for_each_cell_colour(std::int64_t cell, Body&& body) const;
+    /// The most of them that any cell of the whole box has, at least one.
+    int colours_per_cell() const { return colours_per_cell_; }
+    /// Of the bands that have a cell in a level, the tile of the one whose membrane lies nearest; null: none.
+    const BandTile* nearest_tile(std::int64_t cell, int level) const;
+    /// body(label, rho_k/rho) for all vesicles that have a share of a cell.
+    template <class Body>
+    void for_each_share(std::int64_t cell, const Body& body) const;
+    /// body(label, value of a compact array there) for all labels whose band has the cell's tile.
+    template <class Body>
+    void for_each_colour(std::int64_t cell, const std::span<Real>& array, const Body& body) const {
+        band_.for_each_label(cell / tile_width, [&](int label, std::int32_t slot) {
+            if (slot_labels_[at(slot / tile_width)] >= 0) // not for ghosts alone
+                body(label, array[at(slot + cell % tile_width)]);
+        });
     }
 
     std::size_t bytes() const;
 
-    /// Lays the band out around `core`; chi_at(cell) gives the colours of a cell of the box by its grid
-    /// index, and `inside` says which side every cell lies on.
+    /// Lays the band out around `core`; chi_at(cell, label) gives the colours of a cell of the box by its
+    /// grid index, and `interior`, per tile, the label of the vesicle that all of it lies in, or -1.
     template <class ChiAt>
-    void place(const std::vector<Band::Seed>& core, const ChiAt& chi_at, std::vector<std::uint8_t> inside,
+    void place(const std::vector<Band::Seed>& core, const ChiAt& chi_at, std::vector<std::int32_t> interior,
                int threads) {
-        inside_ = std::move(inside);
-        lay_out(core);
-        for_each_index(static_cast<std::int64_t>(band_.tiles().size()), threads, [&](std::int64_t index) {
-            const BandTile& t = band_.tiles()[at(index)];
-            for (int k = 0; k < tile_width; ++k) {
-                Real& chi = fields_.chi[at(t.slot() + k)];
-                const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
-                chi =
-                    (t.bits[reach::colour] >> k & 1) != 0 ? chi_at(t.cell + k) : with_sign_bit(red, Real(0));
-            }
+        forget_slots();
+        interior_ = std::move(interior);
+        lay_out(core, threads, [&](const BandTile& t, Real* chi) {
+            for (int k = 0; k < tile_width; ++k)
+                chi[k] = chi_at(t.cell + k, t.label);
         });
     }
 
@@ -128,9 +137,11 @@ public:
     /// Where the surface is: s, the layer's area, and whether the core has left its place.
     /// What leaked out of the band is given back, in proportion to 1 - phi^2: mass is exact.
     void locate(int threads) {
-        const Real correction = static_cast<Real>(layer_sum_ > 0.0 ? leaked_ / layer_sum_ : 0.0);
-        std::vector<LaneSum<38>> area(static_cast<std::size_t>(threads));
-        std::vector<LaneSum<38>> red(static_cast<std::size_t>(threads));
+        corrections_.resize(leaked_.size());
+        for (std::size_t k = 0; k < leaked_.size(); ++k)
+            corrections_[k] = static_cast<Real>(layer_sum_[k] > 0.0 ? leaked_[k] / layer_sum_[k] : 0.0);
+        area_sums_.reset(threads, labels());
+        red_sums_.reset(threads, labels());
         struct alignas(64) Departed {
             unsigned bits = 0;
         };
@@ -143,8 +154,8 @@ public:
             const auto holds_both = t.cells_of(reach::colour);
             // The side stays as it is: a pure red cell is -0, and -0 plus a zero share of the correction
             // would be +0, blue.
-            const V corrected =
-                with_sign_bit<Real>(sign_bit(chi), chi + V(correction) * layer_density(chi) / density);
+            const V corrected = with_sign_bit<Real>(sign_bit(chi), chi + V(corrections_[at(t.label())]) *
+                                                                             layer_density(chi) / density);
             chi = select<Real>(holds_both, corrected, chi);
             t.store(chi, fields_.chi);
             t.store(red_fraction(chi), fields_.red);
@@ -152,8 +163,10 @@ public:
             t.store(signed_distance_of(chi, V(purest), settings_.beta), fields_.s);
             t.store(spread_force_.profile(phase_of(chi)), fields_.psi);
             const V layer = layer_density(chi);
-            area[at(thread)].add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
-            red[at(thread)].add(select<Real>(t.cells_of(Band::outermost), red_fraction(chi), V(0)));
+            area_sums_.of(thread, t.label())
+                .add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
+            red_sums_.of(thread, t.label())
+                .add(select<Real>(t.cells_of(Band::outermost), red_fraction(chi), V(0)));
             const std::uint32_t core = bits_of<V>((layer > V(settings_.cutoff)) & holds_both);
             for (int k = 0; k < Tiles::count; ++k)
                 core_bits_[index + at(k)] = static_cast<std::uint8_t>(core >> (k * tile_width));
@@ -163,11 +176,9 @@ public:
               place_surface);
         colour_slid_ghosts(threads);
         extend_into_solids({fields_.s}, Band::outermost, 1.0, threads);
-        area_ = merged(area);
-        red_ = merged(red);
         core_has_left_ = ranks().any(std::any_of(departed.begin(), departed.end(),
                                                  [](const Departed& cells) { return cells.bits != 0; }));
-        leaked_ = 0.0;
+        leaked_.assign(leaked_.size(), 0.0);
     }
 
     /// Whether the band must be laid out anew.
@@ -205,8 +216,8 @@ public:
         return paper_laplace_beltrami(laplacian<V>(H), d, t.load(fields_.g), n, H(Direction<0>{}));
     }
 
-    /// Membrane forces, spread over the layer.
-    void forces(const Membrane& membrane, int threads);
+    /// Forces of the labels' membranes, spread over their layers. Membranes are of one bending form.
+    void forces(std::span<const Membrane> membranes, int threads);
 
     template <class Tiles>
     VESICA_INLINE Vec3<typename Tiles::V> phase_gradient(const Tiles& t) const {
@@ -218,7 +229,8 @@ private:
         1e-8; ///< fraction that a pure cell is read as: s stays finite beyond the colours
 
     template <class Bending>
-    void forces_of(const Bending& bending, const TensionLaw& tension, int threads);
+    void forces_of(std::span<const Membrane> membranes, int threads);
+    void part_shared_colours(int threads);
     template <class Tiles>
     Vec3<typename Tiles::V> wetting_force(const Tiles& t) const;
 
@@ -242,8 +254,7 @@ private:
     }
 
     template <Streaming streaming>
-    void transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
-                         TransportSums& sums);
+    void transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end, int thread);
     template <Streaming streaming, class Tiles>
     VESICA_INLINE void transport_tile(const PopulationView<Real>& f, const Tiles& t, TransportSums& sums);
 
@@ -258,59 +269,26 @@ private:
         return -phase_gradient(t);
     }
 
-    void set_side(std::int64_t tile, int k, bool red) {
-        const auto bit = static_cast<std::uint8_t>(1u << k);
-        std::uint8_t& bits = inside_[at(tile)];
-        bits = static_cast<std::uint8_t>(red ? bits | bit : bits & ~bit);
-    }
-
-    void lay_out(const std::vector<Band::Seed>& core);
+    /// Before the band is laid out anew.
+    void forget_slots();
+    /// colour(tile, chi) says which colours its eight cells have.
+    template <class Colour>
+    void lay_out(const std::vector<Band::Seed>& core, int threads, const Colour& colour);
+    void number_slots();
     void number_rows();
+    void count_colours();
     void count_plain_red();
 
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
                 const std::vector<Real>& density);
-
-    template <class Sum>
-    static Sum merged(const std::vector<Sum>& parts) {
-        Sum total;
-        for (const Sum& part : parts)
-            total.merge(part);
-        return total;
-    }
+    const BandTile* find_tile(const std::vector<BandTile>& tiles, std::int64_t tile, int label) const;
 
     const Ranks& ranks() const { return neighbourhood_->ranks(); }
 
-    /// Values of sums over the ranks, in one message.
-    template <class... Sum>
-    std::array<double, sizeof...(Sum)> over_ranks(const Sum&... sums) const {
-        auto halves = std::tuple(sums.halves()...);
-        return std::apply(
-            [&](auto&... half) {
-                std::array words = {half.low..., half.high...};
-                ranks().sum(words);
-                std::size_t k = 0;
-                (..., (half.low = words[k], half.high = words[k + sizeof...(Sum)], ++k));
-                return std::array{half.value()...};
-            },
-            halves);
-    }
-
-    /// All that the area's constraint asks for.
-    void set_integrals(const LaneSum<38>& gaussian, const LaneSum<38>& square) {
-        const auto [area, gaussian_curvature, square_mean_curvature, red, inside] =
-            over_ranks(area_, gaussian, square, red_, plain_red_);
-        sums_ = {area, gaussian_curvature, square_mean_curvature, red + inside};
-    }
-
-    void set_leaked(const LaneSum<50>& more, const LaneSum<38>& layer, const LaneSum<38>& crossed = {}) {
-        if (empty())
-            return;
-        const auto [leaked, layer_sum, lost] = over_ranks(more, layer, crossed);
-        leaked_ += settings_.reference_density * (leaked + lost);
-        layer_sum_ = layer_sum;
-    }
+    /// All that the areas' constraints ask for, and all that is to be given back: of all ranks.
+    void set_integrals();
+    void set_leaked();
 
     /// body(tiles) or body(tiles, index of the first, thread) for all tiles with cells in `level`.
     template <class Body>
@@ -339,7 +317,7 @@ private:
     void copy_ghosts(std::initializer_list<std::span<Real>> arrays, int threads);
 
     // Sliding faces: simulation/layer_slide.hpp.
-    void join_images();
+    void join_images(const std::function<int(std::int64_t)>& owner_of);
     void list_face_tiles();
     void blend_slid_ghosts(std::initializer_list<std::span<Real>> arrays, int level, int threads);
     void colour_slid_ghosts(int threads);
@@ -364,33 +342,43 @@ private:
     bool near_solids_ = false; ///< on any rank
     LayerFields<Real> fields_;
     Field<Real> force_;
-    std::vector<std::uint8_t>
-        inside_; ///< per tile: which cells lie on red's side, kept for cells outside the band
-    std::vector<std::int32_t> force_slots_; ///< per tile: compact address of forces, -1 where there are none
-    std::vector<std::int32_t>
-        colour_slots_; ///< per tile: of colours, -1 for tiles addressed for ghosts alone
+    std::vector<std::int32_t> interior_;
+    std::vector<std::int32_t> force_slots_;
+    std::vector<std::int32_t> colour_slots_;
+    SharedTiles shared_;
+    std::vector<std::int32_t> slot_labels_;
     std::vector<Band::Seed> laid_out_core_;
     std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
     bool empty_ = true;
+    int colours_per_cell_ = 1;
     bool core_has_left_ = false; ///< one of them lies where there is no room for a force
     std::vector<std::int32_t>
         row_begins_; ///< per row of the box: its first tile in the receiving level's list
-    std::vector<TransportSums> transport_sums_; ///< per thread
-    LaneSum<38> area_;                          ///< of this rank's block
-    LaneSum<38> red_;                           ///< rho_R/rho of its band's cells
+    std::vector<double> transport_seconds_; ///< per thread
     /// A tile along a sliding face where there is some red.
     struct FaceTile {
         std::int64_t cell = 0;
         int towards = 0;
         std::uint8_t bits = 0;
         std::int32_t index = -1; ///< of the band's tile; -1: outside
+        std::int32_t label = 0;
     };
     std::vector<FaceTile> face_tiles_;
-    std::vector<LaneSum<38>> crossing_; ///< per thread: red that left through them less what came
-    LaneSum<20> plain_red_;             ///< its other cells inside, laid out with the band
-    LayerSums sums_;
-    double leaked_ = 0.0;    ///< red mass to be given back
-    double layer_sum_ = 0.0; ///< sum (1 - phi^2) it is shared by
+    // Of this rank's block:
+    LabelSums<50> leaked_sums_;
+    LabelSums<38> layer_sums_;
+    LabelSums<38> crossing_sums_; ///< red that left through sliding faces less what came
+    LabelSums<38> area_sums_;
+    LabelSums<38> red_sums_; ///< rho_R/rho of the band's cells
+    LabelSums<38> gaussian_sums_;
+    LabelSums<38> square_sums_;
+    LabelSums<20> plain_red_; ///< the other cells inside, laid out with the band
+    SumsOverRanks over_ranks_;
+    // Of all ranks, per label:
+    std::vector<LayerSums> sums_;
+    std::vector<double> leaked_;    ///< red mass to be given back
+    std::vector<double> layer_sum_; ///< sum (1 - phi^2) it is shared by
+    std::vector<Real> corrections_; ///< its share, per 1 - phi^2
 };
 
 } // namespace vesica

@@ -5,17 +5,32 @@
 namespace vesica {
 
 template <class Real>
-void Layer<Real>::forces(const Membrane& membrane, int threads) {
-    std::visit([&](const auto& bending) { forces_of(bending, TensionLaw{membrane.tension()}, threads); },
-               membrane.bending);
+void Layer<Real>::forces(std::span<const Membrane> membranes, int threads) {
+    std::visit([&]<class Bending>(const Bending&) { forces_of<Bending>(membranes, threads); },
+               membranes.front().bending);
+    // Where several push, their sum; in the order of labels.
+    const FieldView<Real> force = force_.view();
+    for_each_index(static_cast<std::int64_t>(shared_.forces().size()), threads, [&](std::int64_t index) {
+        using V = Pack<Real>;
+        const SharedTiles::Force& sum = shared_.forces()[at(index)];
+        for (int a = 0; a < 3; ++a) {
+            V total = V(0);
+            for (std::int32_t k = sum.begin; k < sum.end; ++k)
+                total += V::load(force.component(a) + shared_.force_slot(k));
+            total.store(force.component(a) + sum.slot);
+        }
+    });
 }
 
 template <class Real>
 template <class Bending>
-void Layer<Real>::forces_of(const Bending& bending, const TensionLaw& tension, int threads) {
+void Layer<Real>::forces_of(std::span<const Membrane> membranes, int threads) {
     const FieldView<Real> force = force_.view();
     for_tiles(reach::force, threads, [&]<class Tiles>(const Tiles& t) {
         using V = typename Tiles::V;
+        const Membrane& membrane = membranes[at(t.label())];
+        const Bending& bending = *std::get_if<Bending>(&membrane.bending);
+        const TensionLaw tension{membrane.tension()};
         const V H = t.load(fields_.H0);
         const V K = t.load(fields_.K0);
         const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);

@@ -21,15 +21,63 @@ void Layer<Real>::normals(int threads) {
         t.store(n, fields_.n);
         t.store(segregation_flux(chi, density, n, settings_.beta), fields_.w);
     };
-    share(reach::colour, threads,
-          {fields_.n[0], fields_.n[1], fields_.n[2], fields_.w[0], fields_.w[1], fields_.w[2]}, direct);
+    const std::initializer_list<std::span<Real>> found{fields_.n[0], fields_.n[1], fields_.n[2],
+                                                       fields_.w[0], fields_.w[1], fields_.w[2]};
+    if (shared_.empty()) {
+        share(reach::colour, threads, found, direct);
+    } else {
+        for_tiles(reach::colour, threads, direct);
+        part_shared_colours(threads);
+        share(reach::colour, threads, found, [](const auto&) {});
+    }
     extend_into_solids({fields_.n[0], fields_.n[1], fields_.n[2]}, reach::colour, 0.0, threads);
+}
+
+/// Where several vesicles have a share of a cell, each pair of colours parts along a direction of its own,
+/// and what one gives the other takes (colour/recolouring.hpp).
+template <class Real>
+void Layer<Real>::part_shared_colours(int threads) {
+    using V = Pack<Real>;
+    for_each_index(shared_.count(), threads, [&](std::int64_t index) {
+        const SharedTiles::Range& range = shared_.range(index);
+        const auto tile_of = [&](std::int32_t k) {
+            const std::int32_t tile = shared_.colour(k).tile;
+            return tile < 0 ? nullptr : band_.tiles().data() + tile;
+        };
+        for (std::int32_t k = range.begin; k < range.end; ++k) {
+            if (tile_of(k) == nullptr || tile_of(k)->bits[reach::colour] == 0)
+                continue;
+            const TileRun<Real> own{tile_of(k)};
+            const Vec3<V> n = own.load(fields_.n);
+            V others = V(0);
+            Vec3<V> parted{V(0), V(0), V(0)};
+            for (std::int32_t other = range.begin; other < range.end; ++other) {
+                if (other == k || tile_of(other) == nullptr)
+                    continue;
+                const TileRun<Real> beside{tile_of(other)};
+                const V red = select<Real>(beside.cells_of(reach::colour), beside.load(fields_.red), V(0));
+                others += red;
+                const Vec3<V> share = red * direction_between(n, beside.load(fields_.n));
+                const auto is_there = red > V(0); // a normal means nothing elsewhere
+                for (int a = 0; a < 3; ++a)
+                    parted[a] += select<Real>(is_there, share[a], V(0));
+            }
+            const V rest = larger(own.load(fields_.blue) - others, V(0));
+            const V strength = V(settings_.beta) * own.load(fields_.density) * own.load(fields_.red);
+            const Vec3<V> flux = strength * (rest * n + parted);
+            const auto meets = (others > V(0)) & own.cells_of(reach::colour);
+            const Vec3<V> alone = own.load(fields_.w);
+            own.store({select<Real>(meets, flux.x, alone.x), select<Real>(meets, flux.y, alone.y),
+                       select<Real>(meets, flux.z, alone.z)},
+                      fields_.w);
+        }
+    });
 }
 
 template <class Real>
 void Layer<Real>::curvatures(int threads) {
-    std::vector<LaneSum<38>> gaussian(static_cast<std::size_t>(threads));
-    std::vector<LaneSum<38>> square(static_cast<std::size_t>(threads));
+    gaussian_sums_.reset(threads, labels());
+    square_sums_.reset(threads, labels());
     const auto bend = [&]<class Tiles>(const Tiles& t, std::size_t, int thread) {
         using V = typename Tiles::V;
         const Vec3<V> n = t.load(fields_.n);
@@ -44,12 +92,12 @@ void Layer<Real>::curvatures(int threads) {
         t.store(mapped() ? area_to_mid_surface(here, s) : V(1), fields_.J);
         const V weight = V(0.5 * settings_.beta) * layer_density(t.load(fields_.chi));
         const auto counted = t.cells_of(reach::raw_curvature);
-        gaussian[at(thread)].add(select<Real>(counted, weight * here.K, V(0)));
-        square[at(thread)].add(select<Real>(counted, weight * here.H * here.H, V(0)));
+        gaussian_sums_.of(thread, t.label()).add(select<Real>(counted, weight * here.K, V(0)));
+        square_sums_.of(thread, t.label()).add(select<Real>(counted, weight * here.H * here.H, V(0)));
     };
     share(reach::raw_curvature, threads, {fields_.raw_H0}, bend);
     extend_into_solids({fields_.raw_H0}, reach::raw_curvature, 0.0, threads);
-    set_integrals(merged(gaussian), merged(square));
+    set_integrals();
     if (!mapped())
         return;
     share(reach::curvature, threads, {fields_.sharp}, [&]<class Tiles>(const Tiles& t) {
@@ -59,6 +107,17 @@ void Layer<Real>::curvatures(int threads) {
         t.store(sharpened<V>(H, 3.0), fields_.sharp); // and the two that make Lap_s H of H
     });
     extend_into_solids({fields_.sharp}, reach::curvature, 0.0, threads);
+}
+
+template <class Real>
+void Layer<Real>::set_integrals() {
+    over_ranks_(
+        ranks(), labels(),
+        [&](int label, const std::array<double, 5>& values) {
+            const auto [area, gaussian_curvature, square_mean_curvature, red, inside] = values;
+            sums_[at(label)] = {area, gaussian_curvature, square_mean_curvature, red + inside};
+        },
+        area_sums_, gaussian_sums_, square_sums_, red_sums_, plain_red_);
 }
 
 template <class Real>

@@ -4,87 +4,240 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace vesica {
 
-namespace detail {
-
-/// Among tiles sorted as they lie in the grid; null if it is not there.
-inline const BandTile* find_tile(const std::vector<BandTile>& tiles, std::int64_t tile) {
+/// Among tiles in the band's order; null if it is not there.
+template <class Real>
+const BandTile* Layer<Real>::find_tile(const std::vector<BandTile>& tiles, std::int64_t tile,
+                                       int label) const {
+    BandTile wanted;
+    wanted.tile = tile;
+    wanted.label = label;
     const auto found =
-        std::lower_bound(tiles.begin(), tiles.end(), tile,
-                         [](const BandTile& t, std::int64_t wanted) { return t.tile < wanted; });
-    return found != tiles.end() && found->tile == tile ? &*found : nullptr;
+        std::lower_bound(tiles.begin(), tiles.end(), wanted,
+                         [&](const BandTile& a, const BandTile& b) { return band_.precedes(a, b); });
+    return found != tiles.end() && found->tile == tile && found->label == label ? &*found : nullptr;
 }
 
-} // namespace detail
+template <class Real>
+int Layer<Real>::owner_beyond_band(std::int64_t cell) const {
+    const std::int64_t tile = cell / tile_width;
+    int owner = interior_[at(tile)];
+    if (owner < 0)
+        for_each_colour(cell, fields_.chi, [&](int label, Real chi) {
+            const BandTile* const t = find_tile(band_.tiles(), tile, label);
+            if (t != nullptr && (t->bits[Band::outermost] >> (cell % tile_width) & 1) == 0 && sign_bit(chi))
+                owner = label;
+        });
+    return owner;
+}
+
+template <class Real>
+template <class Body>
+void Layer<Real>::for_each_cell_colour(std::int64_t cell, Body&& body) const {
+    const std::int64_t tile = cell / tile_width;
+    const int owner = owner_beyond_band(cell);
+    bool told = owner < 0;
+    const auto tell_owner = [&](int before) {
+        if (!told && owner < before)
+            body(CellColour<Real>{owner, with_sign_bit(true, Real(0))});
+        told = told || owner < before;
+    };
+    for_each_colour(cell, fields_.chi, [&](int label, Real chi) {
+        const BandTile* const t = find_tile(band_.tiles(), tile, label);
+        if ((t->bits[Band::outermost] >> (cell % tile_width) & 1) == 0)
+            return;
+        tell_owner(label);
+        body(CellColour<Real>{label, chi});
+    });
+    tell_owner(std::numeric_limits<int>::max());
+}
+
+/// The same whichever way the box is cut.
+template <class Real>
+void Layer<Real>::count_colours() {
+    int most = 1;
+    for (std::int64_t index = 0; index < shared_.count(); ++index) {
+        const SharedTiles::Range& range = shared_.range(index);
+        const std::int32_t first = shared_.colour(range.begin).tile;
+        const std::int64_t tile =
+            band_.tiles()[at(first >= 0 ? first : shared_.colour(range.begin + 1).tile)].tile;
+        const unsigned inside = band_.grid().interior_bits(band_.grid().tile_origin(tile));
+        for (int k = 0; k < tile_width; ++k) {
+            int colours = 0;
+            if ((inside >> k & 1) != 0)
+                for_each_cell_colour(tile * tile_width + k, [&](const auto&) { ++colours; });
+            most = std::max(most, colours);
+        }
+    }
+    colours_per_cell_ = most;
+    for (const int of_rank : ranks().gather_all(most))
+        colours_per_cell_ = std::max(colours_per_cell_, of_rank);
+}
+
+template <class Real>
+const BandTile* Layer<Real>::nearest_tile(std::int64_t cell, int level) const {
+    const BandTile* nearest = nullptr;
+    Real distance = Real(0);
+    for_each_colour(cell, fields_.s, [&](int label, Real s) {
+        const BandTile* const t = find_tile(band_.tiles(), cell / tile_width, label);
+        if (t == nullptr || (t->bits[level] >> (cell % tile_width) & 1) == 0)
+            return;
+        if (nearest == nullptr || std::abs(s) < distance) {
+            nearest = t;
+            distance = std::abs(s);
+        }
+    });
+    return nearest;
+}
+
+template <class Real>
+template <class Body>
+void Layer<Real>::for_each_share(std::int64_t cell, const Body& body) const {
+    double rest = 1.0;
+    for_each_colour(cell, fields_.red, [&](int label, Real red) {
+        const auto share = static_cast<double>(red);
+        rest -= share;
+        if (share > 0.0)
+            body(label, share);
+    });
+    if (const int owner = interior_[at(cell / tile_width)]; owner >= 0)
+        body(owner, rest);
+}
 
 template <class Real>
 void Layer<Real>::follow_core(const PopulationView<Real>& f, Streaming streaming, int threads) {
     std::vector<Band::Seed> core;
     for (std::size_t k = 0; k < core_bits_.size(); ++k)
         if (core_bits_[k] != 0)
-            core.push_back({band_.tiles()[k].tile, core_bits_[k]});
+            core.push_back({band_.tiles()[k].tile, core_bits_[k], band_.tiles()[k].label});
 
     const std::vector<BandTile> old_tiles = band_.tiles();
     const std::vector<Real> old_chi(fields_.chi.begin(), fields_.chi.end());
     const std::vector<Real> old_density(fields_.density.begin(), fields_.density.end());
-    const auto count_of = [](const std::vector<BandTile>& list) {
-        return static_cast<std::int64_t>(list.size());
-    };
-    for_each_index(count_of(old_tiles), threads, [&](std::int64_t index) {
-        const BandTile& t = old_tiles[at(index)];
-        for (int k = 0; k < tile_width; ++k)
-            if ((t.bits[Band::outermost] >> k & 1) != 0)
-                set_side(t.tile, k, sign_bit(old_chi[at(t.slot() + k)]));
-    });
-    lay_out(core);
-    for_each_index(count_of(band_.tiles()), threads, [&](std::int64_t index) {
-        const BandTile& t = band_.tiles()[at(index)];
-        const BandTile* const old = detail::find_tile(old_tiles, t.tile);
-        for (int k = 0; k < tile_width; ++k) {
-            const bool red = (inside_[at(t.tile)] >> k & 1) != 0;
-            const bool holds_both = (t.bits[reach::colour] >> k & 1) != 0;
-            fields_.chi[at(t.slot() + k)] =
-                old != nullptr && holds_both ? old_chi[at(old->slot() + k)] : with_sign_bit(red, Real(0));
-        }
+    forget_slots();
+    // What a band lets go of is all on one side.
+    for (const BandTile& t : old_tiles) {
+        const int cell = std::countr_zero(band_.grid().interior_bits(band_.grid().tile_origin(t.tile)));
+        if (sign_bit(old_chi[at(t.slot() + cell)]))
+            interior_[at(t.tile)] = t.label;
+    }
+    lay_out(core, threads, [&](const BandTile& t, Real* chi) {
+        if (const BandTile* const old = find_tile(old_tiles, t.tile, t.label))
+            std::copy_n(old_chi.begin() + old->slot(), tile_width, chi);
+        else
+            std::fill_n(chi, tile_width, with_sign_bit(interior_[at(t.tile)] == t.label, Real(0)));
     });
     let_go(old_tiles, old_chi, old_density);
     weigh(f, streaming, threads);
 }
 
 template <class Real>
-void Layer<Real>::lay_out(const std::vector<Band::Seed>& core) {
-    laid_out_core_ = core;
+void Layer<Real>::forget_slots() {
     for (const BandTile& t : band_.tiles())
-        force_slots_[at(t.tile)] = colour_slots_[at(t.tile)] = -1;
+        force_slots_[at(t.tile)] = colour_slots_[at(t.tile)] = outside_bands;
+}
+
+template <class Real>
+template <class Colour>
+void Layer<Real>::lay_out(const std::vector<Band::Seed>& core, int threads, const Colour& colour) {
+    laid_out_core_ = core;
     band_.rebuild(core, halo_.exchange_seeds(core, band_.grid()), displacement_.whole);
-    if (neighbourhood_->block().slide) {
-        join_images();
-        list_face_tiles();
-    }
+    const auto colours_of = [&](const BandTile& t, Real* chi) {
+        colour(t, chi);
+        for (int k = 0; k < tile_width; ++k)
+            if ((t.bits[reach::colour] >> k & 1) == 0)
+                chi[k] = with_sign_bit(sign_bit(chi[k]), Real(0));
+    };
+    if (neighbourhood_->block().slide)
+        join_images([&](std::int64_t cell) {
+            const std::int64_t tile = cell / tile_width;
+            int owner = interior_[at(tile)];
+            band_.for_each_label(tile, [&](int label, std::int32_t) {
+                const BandTile* const t = find_tile(band_.tiles(), tile, label);
+                if (t == nullptr)
+                    return;
+                Real chi[tile_width];
+                colours_of(*t, chi);
+                const auto k = cell % tile_width;
+                if ((t->bits[Band::outermost] >> k & 1) != 0)
+                    owner = owner == label ? -1 : owner;
+                else if (sign_bit(chi[k]))
+                    owner = label;
+            });
+            return owner;
+        });
     halo_.follow(band_);
     empty_ = !ranks().any(!core.empty());
     if (solids_ != nullptr) {
         margin_.follow(band_);
         near_solids_ = ranks().any(!margin_.empty());
     }
-    for (const BandTile& t : band_.tiles())
-        colour_slots_[at(t.tile)] = t.slot();
     fields_.resize(band_.compact_size());
-    if (force_.stride() < band_.compact_size())
-        force_ = Field<Real>(3, band_.compact_size() + band_.compact_size() / 4);
-    for (int a = 0; a < 3; ++a)
-        std::fill_n(force_.view().component(a), band_.compact_size(), Real(0));
-    for (const std::int32_t index : band_.of_level(reach::force)) {
+    for_each_index(static_cast<std::int64_t>(band_.tiles().size()), threads, [&](std::int64_t index) {
         const BandTile& t = band_.tiles()[at(index)];
-        force_slots_[at(t.tile)] = t.slot();
-    }
+        colours_of(t, fields_.chi.data() + t.slot());
+    });
+    for (const BandTile& t : band_.tiles())
+        if (interior_[at(t.tile)] == t.label)
+            interior_[at(t.tile)] = -1;
+    number_slots();
     number_rows();
+    if (labels() > 1)
+        count_colours();
     count_plain_red();
+    if (neighbourhood_->block().slide)
+        list_face_tiles();
     // The slot that stands for everything outside the band must be harmless.
     std::fill_n(fields_.density.begin(), fields_.density.size(), Real(settings_.reference_density));
+}
+
+/// Where a tile's colours and forces are.
+template <class Real>
+void Layer<Real>::number_slots() {
+    shared_.clear();
+    const std::vector<BandTile>& tiles = band_.tiles();
+    slot_labels_.assign(at(band_.compact_size() / tile_width), -1);
+    for (const BandTile& t : tiles) {
+        colour_slots_[at(t.tile)] = t.slot();
+        slot_labels_[at(t.slot() / tile_width)] = t.label;
+    }
+    for (const std::int32_t index : band_.of_level(reach::force))
+        force_slots_[at(tiles[at(index)].tile)] = tiles[at(index)].slot();
+    std::vector<std::int64_t> several = band_.shared_tiles();
+    for (const BandTile& t : tiles)
+        if (interior_[at(t.tile)] >= 0)
+            several.push_back(t.tile);
+    std::sort(several.begin(), several.end());
+    several.erase(std::unique(several.begin(), several.end()), several.end());
+    std::vector<SharedTiles::Colour> colours;
+    for (const std::int64_t tile : several) {
+        colours.clear();
+        band_.for_each_label(tile, [&](int label, std::int32_t slot) {
+            if (const BandTile* const t = find_tile(tiles, tile, label))
+                colours.push_back({label, slot, static_cast<std::int32_t>(t - tiles.data())});
+        });
+        if (const int owner = interior_[at(tile)]; owner >= 0 && !colours.empty())
+            colours.push_back({owner, SharedTiles::Colour::pure, -1});
+        if (colours.size() < 2)
+            continue;
+        std::sort(colours.begin(), colours.end(),
+                  [](const auto& a, const auto& b) { return a.label < b.label; });
+        shared_.add(tile, colours, band_);
+        colour_slots_[at(tile)] = shared_.last_slot();
+    }
+    for (const SharedTiles::Force& sum : shared_.forces())
+        force_slots_[at(sum.tile)] = sum.slot;
+    const std::int64_t numbers =
+        band_.compact_size() + tile_width * static_cast<std::int64_t>(shared_.forces().size());
+    if (force_.stride() < numbers)
+        force_ = Field<Real>(3, numbers + numbers / 4);
+    for (int a = 0; a < 3; ++a)
+        std::fill_n(force_.view().component(a), numbers, Real(0));
 }
 
 template <class Real>
@@ -100,48 +253,59 @@ void Layer<Real>::number_rows() {
 
 template <class Real>
 void Layer<Real>::count_plain_red() {
-    double count = 0.0;
-    for (std::int64_t tile = 0; tile < band_.grid().tiles(); ++tile)
-        if (inside_[at(tile)] != 0)
-            count += std::popcount(static_cast<unsigned>(
-                inside_[at(tile)] & band_.grid().interior_bits(band_.grid().tile_origin(tile))));
-    for (const BandTile& t : band_.tiles())
-        count -= std::popcount(static_cast<unsigned>(inside_[at(t.tile)] & t.bits[Band::outermost]));
-    const double lanes[tile_width] = {count};
-    plain_red_ = {};
-    plain_red_.add(Pack<double>::load(lanes));
+    plain_red_.reset(1, labels());
+    const auto add = [&](int label, unsigned bits) {
+        const double lanes[tile_width] = {static_cast<double>(std::popcount(bits))};
+        if (bits != 0)
+            plain_red_.of(0, label).add(Pack<double>::load(lanes));
+    };
+    const Grid& grid = band_.grid();
+    for (std::int64_t tile = 0; tile < grid.tiles(); ++tile)
+        if (interior_[at(tile)] >= 0)
+            add(interior_[at(tile)], grid.interior_bits(grid.tile_origin(tile)));
+    for (const BandTile& t : band_.tiles()) {
+        unsigned red = 0;
+        for (int k = 0; k < tile_width; ++k)
+            red |= (sign_bit(fields_.chi[at(t.slot() + k)]) ? 1u : 0u) << k;
+        add(t.label, red & grid.interior_bits(grid.tile_origin(t.tile)) & ~unsigned{t.bits[Band::outermost]});
+    }
 }
 
 template <class Real>
 void Layer<Real>::let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
                          const std::vector<Real>& density) {
-    // A droplet that fades away far from the rest may leave nearly all it had at the cutoff: room for that.
-    LaneSum<50> gone;
     using V = Pack<Real>;
+    leaked_sums_.reset(1, labels());
+    layer_sums_.reset(1, labels());
+    crossing_sums_.reset(1, labels());
     const V per_reference = V(1.0 / settings_.reference_density);
     for (const BandTile& t : tiles) {
-        const BandTile* const now = detail::find_tile(band_.tiles(), t.tile);
+        const BandTile* const now = find_tile(band_.tiles(), t.tile, t.label);
         const unsigned kept = now != nullptr ? now->bits[reach::colour] : 0u;
         const auto left = static_cast<std::uint8_t>(t.bits[reach::colour] & ~kept);
         if (left == 0)
             continue;
         const V amount =
             per_reference * (V::load(chi.data() + t.slot()) * V::load(density.data() + t.slot()));
-        gone.add(select<Real>(V::mask(left), amount, V(0)));
+        leaked_sums_.of(0, t.label).add(select<Real>(V::mask(left), amount, V(0)));
     }
-    LaneSum<38> layer;
     for (const BandTile& t : band_.tiles())
-        layer.add(select<Real>(V::mask(t.bits[reach::colour]),
-                               layer_density(V::load(fields_.chi.data() + t.slot())), V(0)));
-    set_leaked(gone, layer);
+        layer_sums_.of(0, t.label)
+            .add(select<Real>(V::mask(t.bits[reach::colour]),
+                              layer_density(V::load(fields_.chi.data() + t.slot())), V(0)));
+    set_leaked();
 }
 
 template <class Real>
 std::size_t Layer<Real>::bytes() const {
-    return band_.bytes() + fields_.bytes() + force_.bytes() + inside_.capacity() +
-           (force_slots_.capacity() + colour_slots_.capacity()) * sizeof(std::int32_t) +
-           core_bits_.capacity() + margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) +
-           transport_sums_.capacity() * sizeof(TransportSums) + face_tiles_.capacity() * sizeof(FaceTile);
+    return band_.bytes() + fields_.bytes() + force_.bytes() +
+           (interior_.capacity() + force_slots_.capacity() + colour_slots_.capacity()) *
+               sizeof(std::int32_t) +
+           slot_labels_.capacity() * sizeof(std::int32_t) + shared_.bytes() + core_bits_.capacity() +
+           margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) + leaked_sums_.bytes() +
+           layer_sums_.bytes() + crossing_sums_.bytes() + area_sums_.bytes() + red_sums_.bytes() +
+           gaussian_sums_.bytes() + square_sums_.bytes() + plain_red_.bytes() +
+           face_tiles_.capacity() * sizeof(FaceTile);
 }
 
 } // namespace vesica

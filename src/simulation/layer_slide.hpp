@@ -8,26 +8,41 @@ namespace vesica {
 
 /// The band has been laid out: what lies along the faces of the images beyond is told, and asked.
 template <class Real>
-void Layer<Real>::join_images() {
+void Layer<Real>::join_images(const std::function<int(std::int64_t)>& owner_of) {
     const auto neighbours = neighbourhood_->linked_neighbours();
     const Block& block = neighbourhood_->block();
     const std::vector<HaloPart>& parts = neighbourhood_->parts();
+    // Per part that slides, how many cells, and those.
+    const auto append = [](std::vector<std::byte>& message, const auto& values) {
+        const auto bytes = std::as_bytes(std::span(values));
+        message.insert(message.end(), bytes.begin(), bytes.end());
+    };
     std::vector<std::vector<std::byte>> outgoing(neighbourhood_->neighbours().size());
     bool meets = false;
     for (std::size_t k = 0; k < neighbours.size(); ++k)
         for (const std::size_t part : neighbours[k].outgoing)
             if (block.slides_at(parts[part].link)) {
-                const std::vector<std::uint8_t> rim = band_.rim_cells(part, inside_);
-                const auto bytes = std::as_bytes(std::span(rim));
-                outgoing[k].insert(outgoing[k].end(), bytes.begin(), bytes.end());
+                const std::vector<Band::RimCell> rim = band_.rim_cells(part, owner_of);
+                append(outgoing[k], std::array{static_cast<std::int64_t>(rim.size())});
+                append(outgoing[k], rim);
                 meets = meets || !band_.part_cells()[part].rim.empty();
             }
     const std::vector<std::vector<std::byte>> incoming = neighbourhood_->exchange(outgoing);
     for (std::size_t k = 0; k < neighbours.size(); ++k) {
-        std::size_t begin = 0;
+        std::span<const std::byte> left(incoming[k]);
+        const auto take = [&](auto values) {
+            const auto bytes = std::as_writable_bytes(values);
+            std::copy_n(left.begin(), bytes.size(), bytes.begin());
+            left = left.subspan(bytes.size());
+        };
         for (const std::size_t part : neighbours[k].incoming)
-            if (block.slides_at(parts[part].link))
-                begin += band_.join(part, std::span(incoming[k]).subspan(begin));
+            if (block.slides_at(parts[part].link)) {
+                std::array<std::int64_t, 1> count{};
+                take(std::span(count));
+                std::vector<Band::RimCell> rim(at(count.front()));
+                take(std::span(rim));
+                band_.join(part, rim);
+            }
     }
     meets_images_ = ranks().any(meets || !band_.slid_ghosts().empty());
     slid_ = displacement_.whole;
@@ -39,12 +54,15 @@ void Layer<Real>::list_face_tiles() {
     for (int row = 0; row < faces_.rows(); ++row)
         faces_.for_each_tile(row, [&](const SlidingFaces::Face& face, std::int64_t cell, unsigned bits) {
             const std::int64_t tile = cell / tile_width;
-            const BandTile* const in_band = detail::find_tile(band_.tiles(), tile);
-            if (in_band == nullptr && (inside_[at(tile)] & bits) == 0)
-                return;
-            const auto index =
-                in_band == nullptr ? -1 : static_cast<std::int32_t>(in_band - band_.tiles().data());
-            face_tiles_.push_back({cell, face.towards, static_cast<std::uint8_t>(bits), index});
+            const auto add = [&](std::int32_t index, int label) {
+                face_tiles_.push_back({cell, face.towards, static_cast<std::uint8_t>(bits), index, label});
+            };
+            band_.for_each_label(tile, [&](int label, std::int32_t) {
+                if (const BandTile* const in_band = find_tile(band_.tiles(), tile, label))
+                    add(static_cast<std::int32_t>(in_band - band_.tiles().data()), label);
+            });
+            if (interior_[at(tile)] >= 0)
+                add(-1, interior_[at(tile)]);
         });
 }
 
@@ -106,13 +124,10 @@ void Layer<Real>::colour_slid_ghosts(int threads) {
 template <class Real>
 template <class Count>
 void Layer<Real>::count_crossing(int threads, const Count& count) {
-    crossing_.resize(at(threads));
     for_each_block(static_cast<std::int64_t>(face_tiles_.size()), threads,
                    [&](int thread, std::int64_t begin, std::int64_t end) {
-                       LaneSum<38> sum;
                        for (std::int64_t k = begin; k < end; ++k)
-                           count(face_tiles_[at(k)], sum);
-                       crossing_[at(thread)].merge(sum);
+                           count(face_tiles_[at(k)], crossing_sums_.of(thread, face_tiles_[at(k)].label));
                    });
 }
 
@@ -132,7 +147,7 @@ void Layer<Real>::count_departing(const PopulationView<Real>& f, int threads) {
     using V = Pack<Real>;
     const int across = faces_.slide().gradient;
     count_crossing(threads, [&](const FaceTile& t, LaneSum<38>& sum) {
-        V red = select<Real>(V::mask(inside_[at(t.cell / tile_width)]), V(1), V(0));
+        V red = V(1);
         Vec3<V> w{V(0), V(0), V(0)};
         if (t.index >= 0) {
             const TileRun<Real> run{band_.tiles().data() + t.index};
@@ -158,9 +173,7 @@ void Layer<Real>::count_arriving(const PopulationView<Real>& f, int threads) {
     const int across = faces_.slide().gradient;
     count_crossing(threads, [&](const FaceTile& t, LaneSum<38>& sum) {
         const BandTile* const in_band = t.index >= 0 ? band_.tiles().data() + t.index : nullptr;
-        const V own = in_band != nullptr
-                          ? TileRun<Real>{in_band}.load(fields_.red)
-                          : select<Real>(V::mask(inside_[at(t.cell / tile_width)]), V(1), V(0));
+        const V own = in_band != nullptr ? TileRun<Real>{in_band}.load(fields_.red) : V(1);
         // Cells that receive none of the other colour keep their side.
         const auto receives = V::mask(in_band != nullptr ? in_band->bits[reach::receiving] : 0u);
         V comes = V(0);

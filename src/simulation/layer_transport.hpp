@@ -8,8 +8,10 @@ namespace vesica {
 
 template <class Real>
 void Layer<Real>::begin_transport(int threads) {
-    transport_sums_.assign(static_cast<std::size_t>(threads), {});
-    crossing_.clear();
+    leaked_sums_.reset(threads, labels());
+    layer_sums_.reset(threads, labels());
+    crossing_sums_.reset(threads, labels());
+    transport_seconds_.assign(at(threads), 0.0);
 }
 
 template <class Real>
@@ -22,23 +24,34 @@ void Layer<Real>::transport_rows(const PopulationView<Real>& f, Streaming stream
     if (begin == end)
         return;
     const auto started = std::chrono::steady_clock::now();
-    TransportSums& sums = transport_sums_[at(thread)];
     if (streaming == Streaming::arrived)
-        transport_tiles<Streaming::arrived>(f, begin, end, sums);
+        transport_tiles<Streaming::arrived>(f, begin, end, thread);
     else
-        transport_tiles<Streaming::turned>(f, begin, end, sums);
-    sums.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+        transport_tiles<Streaming::turned>(f, begin, end, thread);
+    transport_seconds_[at(thread)] +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
 }
 
 template <class Real>
 template <Streaming streaming>
 void Layer<Real>::transport_tiles(const PopulationView<Real>& f, std::size_t begin, std::size_t end,
-                                  TransportSums& sums) {
-    TransportSums here; // the compiler knows that nothing else refers to it
-    for_each_run<Real>(band_, band_.of_level(reach::receiving), static_cast<std::int64_t>(begin),
-                       static_cast<std::int64_t>(end),
-                       [&](const auto& t, std::size_t) { transport_tile<streaming>(f, t, here); });
-    sums.merge(here);
+                                  int thread) {
+    const std::vector<std::int32_t>& list = band_.of_level(reach::receiving);
+    const auto label_of = [&](std::size_t k) {
+        return band_.tiles()[at(list[k])].label;
+    };
+    while (begin < end) {
+        const int label = label_of(begin);
+        std::size_t behind = begin + 1;
+        while (behind < end && label_of(behind) == label)
+            ++behind;
+        TransportSums here; // the compiler knows that nothing else refers to it
+        for_each_run<Real>(band_, list, static_cast<std::int64_t>(begin), static_cast<std::int64_t>(behind),
+                           [&](const auto& t, std::size_t) { transport_tile<streaming>(f, t, here); });
+        leaked_sums_.of(thread, label).merge(here.leaked);
+        layer_sums_.of(thread, label).merge(here.layer);
+        begin = behind;
+    }
 }
 
 template <class Real>
@@ -110,11 +123,25 @@ void Layer<Real>::weigh(const PopulationView<Real>& f, Streaming streaming, int 
 
 template <class Real>
 double Layer<Real>::end_transport() {
-    TransportSums total;
-    for (const TransportSums& sums : transport_sums_)
-        total.merge(sums);
-    set_leaked(total.leaked, total.layer, merged(crossing_));
-    return total.seconds / static_cast<double>(transport_sums_.size());
+    set_leaked();
+    double seconds = 0.0;
+    for (const double of_thread : transport_seconds_)
+        seconds += of_thread;
+    return seconds / static_cast<double>(transport_seconds_.size());
+}
+
+template <class Real>
+void Layer<Real>::set_leaked() {
+    if (empty())
+        return;
+    over_ranks_(
+        ranks(), labels(),
+        [&](int label, const std::array<double, 3>& values) {
+            const auto [leaked, layer_sum, lost] = values;
+            leaked_[at(label)] += settings_.reference_density * (leaked + lost);
+            layer_sum_[at(label)] = layer_sum;
+        },
+        leaked_sums_, layer_sums_, crossing_sums_);
 }
 
 } // namespace vesica

@@ -150,6 +150,23 @@ void judge_obstacles(const Parameters& parameters, const SolidVoxels& solids, st
               fmt::format("vesicle[{}] and the obstacles", vesicle), "another centre", gap, width, remarks);
 }
 
+/// One text of the step serves all membranes.
+void judge_forms(const Parameters& parameters, Remarks& remarks) {
+    const auto form_of = [&](std::size_t vesicle) {
+        return parameters.types[parameters.vesicles[vesicle].type].bending.form.index();
+    };
+    for (std::size_t k = 1; k < parameters.vesicles.size(); ++k)
+        if (form_of(k) != form_of(0)) {
+            const std::string& type = parameters.types[parameters.vesicles[k].type].name;
+            remarks.push_back(
+                {Severity::error, fmt::format("vesicle_type.{}.bending.form", type),
+                 fmt::format("vesicle_type.{}.bending.form is another than that of vesicle[0]; expected one "
+                             "form for all vesicles of a box; try the other",
+                             type)});
+            return;
+        }
+}
+
 } // namespace
 
 void judge_places(const Parameters& parameters, const std::vector<std::unique_ptr<const Shape>>& shapes,
@@ -157,15 +174,10 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
     const double width = plan.interface_width;
     const double reach = width + 3.0;
     const auto& vesicles = parameters.vesicles;
+    judge_forms(parameters, remarks);
     const auto gap = [&](std::size_t a, std::size_t b, const Vec3<double>& shift) {
         return gap_between(*shapes[a], vesicles[a].centre, *shapes[b], vesicles[b].centre, shift, reach);
     };
-    if (vesicles.size() > 1)
-        remarks.push_back(
-            {Severity::error, "vesicle[1]",
-             fmt::format("vesicle has {} elements; expected one, as several vesicles in one box are not "
-                         "available yet; try a run for each",
-                         vesicles.size())});
     // A box is the whole of space modulo its edges: every pair meets through 27 images, and each vesicle its
     // own, of which the opposite ones are as far.
     for (std::size_t a = 0; a < shapes.size(); ++a) {

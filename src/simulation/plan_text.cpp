@@ -248,7 +248,7 @@ std::string model_text() {
            "  local inextensibility        the whole area is kept, not that of every patch\n"
            "\n"
            "Not in this version\n"
-           "  suspensions: one vesicle in a periodic box, a sheared one, or between walls\n";
+           "  suspensions that are packed by themselves: each vesicle has its own place in the case\n";
 }
 
 } // namespace vesica

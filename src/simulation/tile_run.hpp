@@ -20,6 +20,7 @@ struct TileRun {
 
     std::int64_t cell() const { return tiles->cell; }
     std::int32_t slot() const { return tiles->slot(); }
+    int label() const { return tiles->label; }
     const std::int32_t* rows() const { return tiles->rows; }
 
     /// Bit k: cell k belongs to the level.

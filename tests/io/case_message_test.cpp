@@ -170,14 +170,12 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
 TEST_CASE("what is not available yet is refused and says so") {
     check_messages({
         {"[numerics]", "[suspension]\n[numerics]",
-         "case.toml:39:2: suspension is not available yet (many vesicles); expected one vesicle in a "
-         "periodic box or between walls; try removing it"},
+         "case.toml:39:2: suspension is not available yet (packing many vesicles); expected a [[vesicle]] "
+         "for "
+         "each; try removing it"},
         {"device = \"cpu\"", "device = \"cuda\"",
          "case.toml:43:10: numerics.device is \"cuda\"; that is not available yet; expected \"cpu\" or "
          "\"auto\"; try device = \"cpu\""},
-        {"[numerics]", "[[vesicle]]\ntype = \"rbc\"\n[numerics]",
-         "case.toml:39:1: vesicle[1] is not available yet (more than one vesicle); expected one [[vesicle]]; "
-         "try removing the others"},
     });
 }
 

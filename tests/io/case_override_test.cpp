@@ -95,8 +95,7 @@ TEST_CASE("a wrong override is refused by its own name") {
           "stated once, but "
           "fluid.kinematic_viscosity is 0.1666667; try removing one of them");
     CHECK(refused("vesicle[1].radius=3") ==
-          "--set vesicle[1].radius=3: vesicle[1] is not available yet (more than one "
-          "vesicle); expected one [[vesicle]]; try removing the others");
+          "--set vesicle[1].radius=3: vesicle[1].type is missing; expected text; try type = \"rbc\"");
     CHECK(refused("numerics.device=cuda") ==
           "--set numerics.device=cuda: numerics.device is \"cuda\"; that is not "
           "available yet; expected \"cpu\" or \"auto\"; try device = \"cpu\"");

@@ -261,3 +261,64 @@ TEST_CASE("a band remembers nothing of the core it had before", "[lattice]") {
         CHECK(moved.cell_count() == 0);
     }
 }
+
+TEST_CASE("each label's band is what it would be alone, and tiles follow each other row by row",
+          "[lattice]") {
+    std::mt19937_64 random(13);
+    int shared = 0;
+    for (const auto& [size, count] : boxes) {
+        const Grid grid(size);
+        std::vector<BandSeed> all;
+        std::vector<Band> alone;
+        for (const int label : {0, 3, 4}) {
+            std::vector<BandSeed> core = seeds_of(random_core(size, count, random), grid);
+            alone.emplace_back(grid).rebuild(core);
+            for (BandSeed& seed : core) {
+                seed.label = label;
+                all.push_back(seed);
+            }
+        }
+        std::shuffle(all.begin(), all.end(), random);
+        Band band(grid);
+        band.rebuild(all);
+        CHECK(std::is_sorted(band.tiles().begin(), band.tiles().end(),
+                             [&](const BandTile& a, const BandTile& b) { return band.precedes(a, b); }));
+        std::size_t next[] = {0, 0, 0};
+        std::vector<bool> taken(static_cast<std::size_t>(band.compact_size() / Grid::tile), false);
+        for (const BandTile& t : band.tiles()) {
+            const std::size_t which = t.label == 0 ? 0 : static_cast<std::size_t>(t.label - 2);
+            REQUIRE(next[which] < alone[which].tiles().size());
+            const BandTile& own = alone[which].tiles()[next[which]++];
+            CHECK(t.tile == own.tile);
+            CHECK(t.followed == own.followed);
+            CHECK(std::equal(std::begin(t.bits), std::end(t.bits), std::begin(own.bits)));
+            for (std::size_t row = 0; row < 9; ++row)
+                CHECK((t.rows[row] == Grid::tile) == (own.rows[row] == Grid::tile));
+            CHECK(band.slot_of_tile(t.tile, t.label) == t.slot());
+            const auto place = static_cast<std::size_t>(t.slot() / Grid::tile);
+            CHECK_FALSE(taken[place]);
+            taken[place] = true;
+            int labels = 0;
+            int previous = -1;
+            band.for_each_label(t.tile, [&](int label, std::int32_t slot) {
+                CHECK(label > previous);
+                CHECK(slot == band.slot_of_tile(t.tile, label));
+                previous = label;
+                ++labels;
+            });
+            const auto& several = band.shared_tiles();
+            CHECK(std::binary_search(several.begin(), several.end(), t.tile) == (labels > 1));
+            shared += labels > 1 ? 1 : 0;
+        }
+        std::int64_t cells = 0;
+        std::size_t copies = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(next[k] == alone[k].tiles().size());
+            cells += alone[k].cell_count();
+            copies += alone[k].ghost_copies().size();
+        }
+        CHECK(band.cell_count() == cells);
+        CHECK(band.ghost_copies().size() == copies);
+    }
+    CHECK(shared > 100);
+}

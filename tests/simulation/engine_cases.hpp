@@ -35,7 +35,7 @@ inline void run(Engine& engine, int steps) {
 
 inline bool same_state(const EngineState& a, const EngineState& b) {
     return a.step == b.step && a.populations == b.populations && a.minority == b.minority &&
-           a.band == b.band && a.controllers == b.controllers;
+           a.band == b.band && a.label == b.label && a.controllers == b.controllers;
 }
 
 } // namespace vesica::test

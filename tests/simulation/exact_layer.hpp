@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace vesica::test {
@@ -21,7 +22,7 @@ Layer<Real> exact_layer(const Vec3<int>& size,
     const Grid grid(size);
     const double reach = std::atanh(std::sqrt(1.0 - settings.cutoff)) / settings.beta;
     std::vector<Band::Seed> core;
-    std::vector<std::uint8_t> inside(static_cast<std::size_t>(grid.tiles()), 0);
+    std::vector<std::int32_t> interior(static_cast<std::size_t>(grid.tiles()), -1);
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; x += Grid::tile) {
@@ -35,24 +36,25 @@ Layer<Real> exact_layer(const Vec3<int>& size,
                         near |= 1u << k;
                 }
                 const std::int64_t tile = grid.index(x, y, z) / Grid::tile;
-                inside[static_cast<std::size_t>(tile)] = static_cast<std::uint8_t>(red);
+                if (red == grid.interior_bits({x, y, z}))
+                    interior[static_cast<std::size_t>(tile)] = 0;
                 if (near != 0)
                     core.push_back({tile, static_cast<std::uint8_t>(near)});
             }
     Layer<Real> layer(grid, settings);
-    const auto chi_at = [&](std::int64_t cell) {
+    const auto chi_at = [&](std::int64_t cell, int) {
         Vec3<int> place = grid.tile_origin(cell / Grid::tile);
         place.x += static_cast<int>(cell % Grid::tile);
         const double s = signed_distance({place.x + 0.5, place.y + 0.5, place.z + 0.5});
         return static_cast<Real>(
             with_sign_bit(s < 0.0, 1.0 / (1.0 + std::exp(2.0 * settings.beta * std::abs(s)))));
     };
-    layer.place(core, chi_at, inside, 1);
+    layer.place(core, chi_at, interior, 1);
     layer.locate(1);
     layer.normals(1);
     layer.curvatures(1);
     layer.slopes(1);
-    layer.forces(membrane, 1);
+    layer.forces(std::span(&membrane, 1), 1);
     return layer;
 }
 

@@ -19,7 +19,7 @@ std::vector<InitialColours::Placed> close_and_tilted() {
     for (int k = 0; k < 3; ++k) {
         vesicle.axis = axes[k];
         vesicle.centre = centres[k];
-        shapes.push_back({make_shape(vesicle), vesicle.centre});
+        shapes.push_back({make_shape(vesicle), vesicle.centre, 0});
     }
     return shapes;
 }
@@ -65,12 +65,13 @@ TEST_CASE("the colours of a cell follow the nearest of all surfaces and their im
                     core |= (std::abs(nearest) < reach ? 1u : 0u) << k;
                     if (nearest < 12.0) {
                         const double minor = 1.0 / (1.0 + std::exp(2.0 * beta * std::abs(nearest)));
-                        CHECK(colours.chi_at(grid.index(x0 + k, y, z)) ==
+                        CHECK(colours.chi_at(grid.index(x0 + k, y, z), 0) ==
                               Approx(nearest < 0.0 ? -minor : minor).epsilon(1e-12));
                     }
                 }
                 const std::int64_t tile = grid.index(x0, y, z) / Grid::tile;
-                CHECK(colours.inside()[static_cast<std::size_t>(tile)] == red);
+                CHECK((colours.interior()[static_cast<std::size_t>(tile)] == 0) ==
+                      (red == grid.interior_bits({x0, y, z})));
                 if (core == 0)
                     continue;
                 REQUIRE(seed < colours.core().size());
@@ -86,7 +87,7 @@ TEST_CASE("the colours do not depend on the threads that found them") {
     const Grid grid({40, 36, 44});
     const InitialColours one(Block::whole(grid.size()), close_and_tilted(), 0.67, 1e-2, 1);
     const InitialColours three(Block::whole(grid.size()), close_and_tilted(), 0.67, 1e-2, 3);
-    CHECK(one.inside() == three.inside());
+    CHECK(one.interior() == three.interior());
     REQUIRE(one.core().size() == three.core().size());
     for (std::size_t k = 0; k < one.core().size(); ++k) {
         CHECK(one.core()[k].tile == three.core()[k].tile);
