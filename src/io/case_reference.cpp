@@ -144,7 +144,7 @@ This page is generated from the declarations that the reader itself uses.
     page += "\n## Not available yet\n\nThese tables are refused:\n\n";
     for (const UnavailableTable& table : unavailable_tables())
         page += fmt::format("- `[{}]`: {}\n", table.path, table.meaning);
-    page += "\nSo are more than one `[[vesicle]]` and `device = \"cuda\"`.\n";
+    page += "\nSo is `device = \"cuda\"`.\n";
     return page;
 }
 

@@ -30,7 +30,7 @@ const std::vector<CaseTable>& case_tables() {
         {"vesicle_type.*.bending", false, "Resistance to bending."},
         {"vesicle_type.*.area", false, "The membrane's area."},
         {"vesicle_type.*.tension", false, "Tension that does not depend on the area."},
-        {"vesicle[]", true, "One vesicle; exactly one for now."},
+        {"vesicle[]", true, "One vesicle; as many as there are."},
         {"vesicle[].perturbation[]", true,
          "Ripples r (1 + amplitude Y_lm), where Y_l0 is the Legendre polynomial P_l of the angle to the "
          "axis."},

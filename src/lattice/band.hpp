@@ -125,7 +125,7 @@ public:
     /// Length of a compact array.
     std::int64_t compact_size() const { return compact_size_; }
     /// Compact address of a tile of the grid, -1 outside the label's band.
-    std::int32_t slot_of_tile(std::int64_t tile, int label = 0) const {
+    std::int32_t slot_of_tile(std::int64_t tile, int label) const {
         std::int32_t at = first_place_[static_cast<std::size_t>(tile)];
         while (at >= 0 && places_[static_cast<std::size_t>(at)].label < label)
             at = places_[static_cast<std::size_t>(at)].next;

@@ -32,8 +32,6 @@ public:
         }
         if (head_.controllers.empty())
             head_.controllers.assign(controllers_per_vesicle, 0.0);
-        for (const Band::Seed& seed : engine.layer_.core())
-            core_[{seed.tile, seed.label}] = seed.bits;
     }
 
     const StateHead& head() const override { return head_; }
@@ -57,9 +55,8 @@ public:
     void band(std::size_t slot, int z, std::span<std::uint8_t> plane) const override {
         for_each_cell(z, [&](std::size_t at, std::int64_t cell) {
             const CellColour<Real> colour = colour_of(cell, slot);
-            const auto core = core_.find({cell / tile_width, colour.label});
-            const bool in_core = core != core_.end() && (core->second >> (cell % tile_width) & 1) != 0;
-            plane[at] = static_cast<std::uint8_t>((in_core ? 1 : 0) | (std::signbit(colour.chi) ? 2 : 0));
+            plane[at] =
+                static_cast<std::uint8_t>((colour.in_core ? 1 : 0) | (std::signbit(colour.chi) ? 2 : 0));
         });
     }
     void label(std::size_t slot, int z, std::span<std::int32_t> plane) const override {
@@ -87,7 +84,6 @@ private:
     }
 
     const LatticeEngine& engine_;
-    std::map<std::pair<std::int64_t, std::int32_t>, std::uint8_t> core_; ///< by tile and label
     StateHead head_;
 };
 
@@ -147,12 +143,14 @@ void LatticeEngine<Real>::load(const EngineState& state) {
                 std::uint8_t& bits = core[{tile, label_in(here)}];
                 bits = static_cast<std::uint8_t>(bits | 1u << (cell % tile_width));
             }
-            if (cell % tile_width == 0 && (state.band[here] & 2) != 0)
+            if ((state.band[here] & 2) != 0)
                 interior[static_cast<std::size_t>(tile)] = label_in(here);
         }
     });
     for (std::int64_t tile = 0; tile < grid_.tiles(); ++tile) {
-        const unsigned inside = grid_.interior_bits(grid_.tile_origin(tile));
+        unsigned inside = grid_.interior_bits(grid_.tile_origin(tile));
+        if (solids_)
+            inside &= ~unsigned{solids_.of_tile(tile)};
         std::int32_t& label = interior[static_cast<std::size_t>(tile)];
         for (int k = 0; k < tile_width && label >= 0; ++k)
             if ((inside >> k & 1) != 0 && !std::signbit(chi_at(tile * tile_width + k, label)))

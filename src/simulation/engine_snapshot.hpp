@@ -159,6 +159,7 @@ std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_
     std::vector<LayerCell> cells;
     const LayerFields<Real>& fields = layer_.fields();
     const double beta = setup_.layer.beta;
+    constexpr double profile_reach = 8.0; // farther out colours need not have their profile yet
     for (const BandTile& t : layer_.band().tiles()) {
         const auto lanes = [&](const std::span<Real>& a) {
             return detail::LaneValues<Real>(V::load(a.data() + t.slot()));
@@ -203,13 +204,15 @@ std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_
                     cell.tension_force = TensionLaw{membrane.tension()}.force(force_H0[k]);
                 }
             }
-            cell.force = force_at(index);
+            if ((t.bits[reach::force] >> k & 1) != 0)
+                for (int a = 0; a < 3; ++a)
+                    cell.force[a] = static_cast<double>(layer_.force().view().component(a)[t.slot() + k]);
             cell.to_obstacle = distance_to_obstacle(cell, index);
             layer_.for_each_colour(index, fields.chi, [&](int label, Real other) {
-                if (label == t.label || magnitude(other) <= Real(0))
-                    return;
-                const double distance = signed_distance_of(static_cast<double>(other), 0.0, beta);
-                cell.to_vesicle = std::min(cell.to_vesicle, cell.s + distance);
+                const double distance = signed_distance_of(static_cast<double>(other), 1e-8, beta);
+                const bool is_near = std::max(std::abs(cell.s), std::abs(distance)) < profile_reach;
+                if (label != t.label && is_near)
+                    cell.to_vesicle = std::min(cell.to_vesicle, cell.s + distance);
             });
             cells.push_back({t.label, cell});
         }

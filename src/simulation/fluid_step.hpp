@@ -41,6 +41,13 @@ template <class V>
     return V(1) / (V(0.5) + V(1) / thinness);
 }
 
+/// The same, rounded alike, where there is one colour alone: whether a band has a pure cell must not show.
+template <class Real>
+double pure_rate(double outer_rate, double thinning) {
+    using V = Pack<Real>;
+    return static_cast<double>(rate_of_thinness(fma(V(1), V(thinning), V(thinness_of(outer_rate))))[0]);
+}
+
 /// Collides every cell and streams it, in place, in one pass over the block. Whoever needs the populations of
 /// the new state is told, row by row, as soon as they have settled: settled(thread, first row, last row).
 /// Where other processes hold the neighbouring blocks, the cells along the boundary go first, and what
@@ -56,6 +63,7 @@ public:
           boundary_(f, grid),
           collision_(collision),
           outer_rate_(outer_rate),
+          pure_outer_rate_(pure_rate<Real>(outer_rate, 0.0)),
           rho0_(reference_density) {}
 
     /// `others` is null where the block meets no images in messages.
@@ -307,7 +315,7 @@ private:
     template <class V>
     V local_rate(std::int64_t tile, const LayerInfluence<Real>& layer) const {
         if (layer.colour_slot[tile] == outside_bands)
-            return V(layer.interior[tile] < 0 ? outer_rate_ : layer.inner[layer.interior[tile]].rate);
+            return V(layer.interior[tile] < 0 ? pure_outer_rate_ : layer.inner[layer.interior[tile]].rate);
         V thinness = V(thinness_of(outer_rate_));
         layer.template for_each_colour<V>(tile, [&](std::int32_t label, const V& share) {
             thinness = fma(share, V(layer.inner[label].thinning), thinness);
@@ -346,6 +354,7 @@ private:
     PeriodicBoundary<Real> boundary_;
     Collision collision_;
     double outer_rate_ = 1.0;
+    double pure_outer_rate_ = 1.0; ///< as it comes out where fluids of several viscosities are
     double rho0_ = 1.0;
 };
 

@@ -17,7 +17,6 @@
 #include "simulation/step_profile.hpp"
 #include "simulation/wall_forces.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace vesica {
@@ -75,9 +74,10 @@ public:
           layer_(setup.neighbourhood, setup.layer, solids()) {
         for (const VesicleSetup& vesicle : setup_.vesicles) {
             membranes_.push_back(vesicle.membrane);
-            inner_.push_back({vesicle.inner_rate,
-                              thinness_of(vesicle.inner_rate) - thinness_of(setup_.outer_rate),
-                              vesicle.buoyancy});
+            const double thinning = thinness_of(vesicle.inner_rate) - thinness_of(setup_.outer_rate);
+            inner_.push_back({pure_rate<Real>(setup_.outer_rate, thinning), thinning, vesicle.buoyancy});
+            has_contrast_ = has_contrast_ || vesicle.inner_rate != setup_.outer_rate;
+            is_buoyant_ = is_buoyant_ || vesicle.buoyancy != Vec3<double>{};
         }
         if (!block_.is_whole())
             others_.emplace(*setup_.neighbourhood, f_, grid_);
@@ -232,10 +232,8 @@ private:
             return influence;
         influence.force_slot = layer_.force_slots().data();
         influence.force = layer_.force().view();
-        influence.contrast = std::any_of(inner_.begin(), inner_.end(), [&](const InnerFluid& fluid) {
-            return fluid.rate != setup_.outer_rate;
-        });
-        influence.buoyant = is_buoyant();
+        influence.contrast = has_contrast_;
+        influence.buoyant = is_buoyant_;
         influence.inner = inner_.data();
         influence.colour_slot = layer_.colour_slots().data();
         influence.label = layer_.slot_labels().data();
@@ -270,14 +268,9 @@ private:
         walls_.set_walls(walls);
     }
 
-    bool is_buoyant() const {
-        return std::any_of(inner_.begin(), inner_.end(),
-                           [](const InnerFluid& fluid) { return fluid.buoyancy != Vec3<double>{}; });
-    }
-
     /// In a periodic box nothing else would hold what the vesicles' buoyancy gives the fluid.
     void answer_buoyancy() {
-        if (setup_.drive.has_solids() || !is_buoyant())
+        if (setup_.drive.has_solids() || !is_buoyant_)
             return;
         answer_ = {};
         for (std::size_t label = 0; label < inner_.size(); ++label)
@@ -307,7 +300,7 @@ private:
     /// Everything that pushes a cell.
     Vec3<double> whole_force_at(std::int64_t cell) const {
         Vec3<double> force = force_at(cell) + body_force();
-        if (is_buoyant() && !layer_.empty())
+        if (is_buoyant_ && !layer_.empty())
             layer_.for_each_share(cell, [&](int label, double share) {
                 force = force + share * inner_[static_cast<std::size_t>(label)].buoyancy;
             });
@@ -369,6 +362,8 @@ private:
     std::optional<LeesEdwards<Real>> sliding_; ///< where the box slides past its images
     std::vector<Membrane> membranes_;          ///< by label
     std::vector<InnerFluid> inner_;            ///< by label
+    bool has_contrast_ = false;                ///< some fluid inside is of another viscosity
+    bool is_buoyant_ = false;
     Streaming streaming_ = Streaming::arrived;
     std::int64_t step_ = 0;
     StepClock clock_;

@@ -71,7 +71,7 @@ public:
     const std::vector<std::int32_t>& slot_labels() const { return slot_labels_; }
     const std::vector<Band::Seed>& core() const { return laid_out_core_; }
     int labels() const { return settings_.labels; }
-    const LayerSums& sums(int label = 0) const { return sums_[at(label)]; }
+    const LayerSums& sums(int label) const { return sums_[at(label)]; }
     const LayerSettings& settings() const { return settings_; }
     /// No rank has a layer.
     bool empty() const { return empty_; }
@@ -101,9 +101,16 @@ public:
     /// body(label, value of a compact array there) for all labels whose band has the cell's tile.
     template <class Body>
     void for_each_colour(std::int64_t cell, const std::span<Real>& array, const Body& body) const {
-        band_.for_each_label(cell / tile_width, [&](int label, std::int32_t slot) {
-            if (slot_labels_[at(slot / tile_width)] >= 0) // not for ghosts alone
-                body(label, array[at(slot + cell % tile_width)]);
+        for_each_tile_at(cell,
+                         [&](const BandTile& t) { body(t.label, array[at(t.slot() + cell % tile_width)]); });
+    }
+    /// body(tile) for the tiles of all bands that a cell lies in, by label.
+    template <class Body>
+    void for_each_tile_at(std::int64_t cell, const Body& body) const {
+        band_.for_each_label(cell / tile_width, [&](int, std::int32_t slot) {
+            const std::int32_t index = slot_tiles_[at(slot / tile_width)];
+            if (index >= 0) // an address may be there for the sake of ghosts alone
+                body(band_.tiles()[at(index)]);
         });
     }
 
@@ -282,6 +289,10 @@ private:
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
                 const std::vector<Real>& density);
+    unsigned fluid_bits(std::int64_t tile) const {
+        const unsigned own = band_.grid().interior_bits(band_.grid().tile_origin(tile));
+        return solids_ != nullptr ? own & ~unsigned{solids_->of_tile(tile)} : own;
+    }
     const BandTile* find_tile(const std::vector<BandTile>& tiles, std::int64_t tile, int label) const;
 
     const Ranks& ranks() const { return neighbourhood_->ranks(); }
@@ -347,6 +358,7 @@ private:
     std::vector<std::int32_t> colour_slots_;
     SharedTiles shared_;
     std::vector<std::int32_t> slot_labels_;
+    std::vector<std::int32_t> slot_tiles_; ///< per compact tile: its index in the band, -1
     std::vector<Band::Seed> laid_out_core_;
     std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
     bool empty_ = true;

@@ -11,7 +11,7 @@ namespace vesica {
 
 /// What the fluid inside a vesicle has of its own.
 struct InnerFluid {
-    double rate = 1.0;       ///< lambda of the stress
+    double rate = 1.0;       ///< lambda of the stress, as pure_rate() has it
     double thinning = 0.0;   ///< 1/(1/rate - 1/2) less the same of the fluid outside
     Vec3<double> buoyancy{}; ///< force per volume
 };

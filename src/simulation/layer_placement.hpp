@@ -25,13 +25,14 @@ const BandTile* Layer<Real>::find_tile(const std::vector<BandTile>& tiles, std::
 
 template <class Real>
 int Layer<Real>::owner_beyond_band(std::int64_t cell) const {
-    const std::int64_t tile = cell / tile_width;
-    int owner = interior_[at(tile)];
+    if (solids_ != nullptr && solids_->has(cell))
+        return -1;
+    int owner = interior_[at(cell / tile_width)];
     if (owner < 0)
-        for_each_colour(cell, fields_.chi, [&](int label, Real chi) {
-            const BandTile* const t = find_tile(band_.tiles(), tile, label);
-            if (t != nullptr && (t->bits[Band::outermost] >> (cell % tile_width) & 1) == 0 && sign_bit(chi))
-                owner = label;
+        for_each_tile_at(cell, [&](const BandTile& t) {
+            const auto k = cell % tile_width;
+            if ((t.bits[Band::outermost] >> k & 1) == 0 && sign_bit(fields_.chi[at(t.slot() + k)]))
+                owner = t.label;
         });
     return owner;
 }
@@ -39,20 +40,19 @@ int Layer<Real>::owner_beyond_band(std::int64_t cell) const {
 template <class Real>
 template <class Body>
 void Layer<Real>::for_each_cell_colour(std::int64_t cell, Body&& body) const {
-    const std::int64_t tile = cell / tile_width;
     const int owner = owner_beyond_band(cell);
     bool told = owner < 0;
     const auto tell_owner = [&](int before) {
         if (!told && owner < before)
-            body(CellColour<Real>{owner, with_sign_bit(true, Real(0))});
+            body(CellColour<Real>{owner, with_sign_bit(true, Real(0)), false});
         told = told || owner < before;
     };
-    for_each_colour(cell, fields_.chi, [&](int label, Real chi) {
-        const BandTile* const t = find_tile(band_.tiles(), tile, label);
-        if ((t->bits[Band::outermost] >> (cell % tile_width) & 1) == 0)
+    for_each_tile_at(cell, [&](const BandTile& t) {
+        const auto k = cell % tile_width;
+        if ((t.bits[Band::outermost] >> k & 1) == 0)
             return;
-        tell_owner(label);
-        body(CellColour<Real>{label, chi});
+        tell_owner(t.label);
+        body(CellColour<Real>{t.label, fields_.chi[at(t.slot() + k)], (t.bits[0] >> k & 1) != 0});
     });
     tell_owner(std::numeric_limits<int>::max());
 }
@@ -83,13 +83,14 @@ template <class Real>
 const BandTile* Layer<Real>::nearest_tile(std::int64_t cell, int level) const {
     const BandTile* nearest = nullptr;
     Real distance = Real(0);
-    for_each_colour(cell, fields_.s, [&](int label, Real s) {
-        const BandTile* const t = find_tile(band_.tiles(), cell / tile_width, label);
-        if (t == nullptr || (t->bits[level] >> (cell % tile_width) & 1) == 0)
+    for_each_tile_at(cell, [&](const BandTile& t) {
+        const auto k = cell % tile_width;
+        if ((t.bits[level] >> k & 1) == 0)
             return;
-        if (nearest == nullptr || std::abs(s) < distance) {
-            nearest = t;
-            distance = std::abs(s);
+        const Real away = std::abs(fields_.s[at(t.slot() + k)]);
+        if (nearest == nullptr || away < distance) {
+            nearest = &t;
+            distance = away;
         }
     });
     return nearest;
@@ -122,8 +123,8 @@ void Layer<Real>::follow_core(const PopulationView<Real>& f, Streaming streaming
     forget_slots();
     // What a band lets go of is all on one side.
     for (const BandTile& t : old_tiles) {
-        const int cell = std::countr_zero(band_.grid().interior_bits(band_.grid().tile_origin(t.tile)));
-        if (sign_bit(old_chi[at(t.slot() + cell)]))
+        const unsigned fluid = fluid_bits(t.tile);
+        if (fluid != 0 && sign_bit(old_chi[at(t.slot() + std::countr_zero(fluid))]))
             interior_[at(t.tile)] = t.label;
     }
     lay_out(core, threads, [&](const BandTile& t, Real* chi) {
@@ -164,10 +165,10 @@ void Layer<Real>::lay_out(const std::vector<Band::Seed>& core, int threads, cons
                 Real chi[tile_width];
                 colours_of(*t, chi);
                 const auto k = cell % tile_width;
-                if ((t->bits[Band::outermost] >> k & 1) != 0)
-                    owner = owner == label ? -1 : owner;
-                else if (sign_bit(chi[k]))
+                if ((t->bits[Band::outermost] >> k & 1) == 0 && sign_bit(chi[k]))
                     owner = label;
+                else if (owner == label)
+                    owner = -1;
             });
             return owner;
         });
@@ -202,12 +203,15 @@ void Layer<Real>::number_slots() {
     shared_.clear();
     const std::vector<BandTile>& tiles = band_.tiles();
     slot_labels_.assign(at(band_.compact_size() / tile_width), -1);
-    for (const BandTile& t : tiles) {
-        colour_slots_[at(t.tile)] = t.slot();
-        slot_labels_[at(t.slot() / tile_width)] = t.label;
+    slot_tiles_.assign(slot_labels_.size(), -1);
+    for (std::size_t k = 0; k < tiles.size(); ++k) {
+        colour_slots_[at(tiles[k].tile)] = tiles[k].slot();
+        slot_labels_[at(tiles[k].slot() / tile_width)] = tiles[k].label;
+        slot_tiles_[at(tiles[k].slot() / tile_width)] = static_cast<std::int32_t>(k);
     }
-    for (const std::int32_t index : band_.of_level(reach::force))
-        force_slots_[at(tiles[at(index)].tile)] = tiles[at(index)].slot();
+    for (const BandTile& t : tiles)
+        if (t.bits[reach::force] != 0) // not where all of the level is solid
+            force_slots_[at(t.tile)] = t.slot();
     std::vector<std::int64_t> several = band_.shared_tiles();
     for (const BandTile& t : tiles)
         if (interior_[at(t.tile)] >= 0)
@@ -259,15 +263,14 @@ void Layer<Real>::count_plain_red() {
         if (bits != 0)
             plain_red_.of(0, label).add(Pack<double>::load(lanes));
     };
-    const Grid& grid = band_.grid();
-    for (std::int64_t tile = 0; tile < grid.tiles(); ++tile)
+    for (std::int64_t tile = 0; tile < band_.grid().tiles(); ++tile)
         if (interior_[at(tile)] >= 0)
-            add(interior_[at(tile)], grid.interior_bits(grid.tile_origin(tile)));
+            add(interior_[at(tile)], fluid_bits(tile));
     for (const BandTile& t : band_.tiles()) {
         unsigned red = 0;
         for (int k = 0; k < tile_width; ++k)
             red |= (sign_bit(fields_.chi[at(t.slot() + k)]) ? 1u : 0u) << k;
-        add(t.label, red & grid.interior_bits(grid.tile_origin(t.tile)) & ~unsigned{t.bits[Band::outermost]});
+        add(t.label, red & fluid_bits(t.tile) & ~unsigned{t.bits[Band::outermost]});
     }
 }
 
@@ -301,10 +304,10 @@ std::size_t Layer<Real>::bytes() const {
     return band_.bytes() + fields_.bytes() + force_.bytes() +
            (interior_.capacity() + force_slots_.capacity() + colour_slots_.capacity()) *
                sizeof(std::int32_t) +
-           slot_labels_.capacity() * sizeof(std::int32_t) + shared_.bytes() + core_bits_.capacity() +
-           margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) + leaked_sums_.bytes() +
-           layer_sums_.bytes() + crossing_sums_.bytes() + area_sums_.bytes() + red_sums_.bytes() +
-           gaussian_sums_.bytes() + square_sums_.bytes() + plain_red_.bytes() +
+           (slot_labels_.capacity() + slot_tiles_.capacity()) * sizeof(std::int32_t) + shared_.bytes() +
+           core_bits_.capacity() + margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) +
+           leaked_sums_.bytes() + layer_sums_.bytes() + crossing_sums_.bytes() + area_sums_.bytes() +
+           red_sums_.bytes() + gaussian_sums_.bytes() + square_sums_.bytes() + plain_red_.bytes() +
            face_tiles_.capacity() * sizeof(FaceTile);
 }
 

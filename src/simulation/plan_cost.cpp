@@ -142,8 +142,9 @@ double output_bytes(const Parameters& parameters, const RunParameters& run, cons
         const double outputs = std::floor(static_cast<double>(run.steps / fields.every)) + 1.0;
         bytes += outputs * components * number * cells_of(region) / std::pow(fields.stride, 3);
     }
-    // Populations and colour in the run's precision, and the band.
-    const double checkpoint = cells_of(parameters.lattice()) * (20.0 * number + 1.0);
+    // Populations and colours in the run's precision, and the band; where vesicles crowd a cell has several.
+    const double colours = parameters.vesicles.size() > 1 ? 2.0 * (number + 5.0) : number + 1.0;
+    const double checkpoint = cells_of(parameters.lattice()) * (19.0 * number + colours);
     if (output.checkpoint_every > 0) {
         const double written =
             std::ceil(static_cast<double>(run.steps) / static_cast<double>(output.checkpoint_every));

@@ -122,6 +122,14 @@ const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot) {
         row.z = centre.z;
         last_.push_back(row);
     }
+    // The box has one viscosity, to which all of them add.
+    if (last_.size() > 1) {
+        double viscosity = 1.0;
+        for (const MetricsRow& row : last_)
+            viscosity += row.effective_viscosity - 1.0;
+        for (MetricsRow& row : last_)
+            row.effective_viscosity = viscosity;
+    }
     remember(snapshot.step);
     return last_;
 }

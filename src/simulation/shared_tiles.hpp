@@ -14,6 +14,7 @@ template <class Real>
 struct CellColour {
     std::int32_t label = -1;
     Real chi = Real(0);
+    bool in_core = false; ///< as the band was laid out
 };
 
 /// Instead of the compact address of a tile's colours.

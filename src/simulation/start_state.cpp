@@ -118,9 +118,11 @@ void check_model(const Case& what, const Case& before, std::int64_t step, const 
               fmt::format("{}", now.vesicles.size()));
 }
 
-std::size_t kind_of_constraint(const Case& what) {
-    const Parameters& parameters = what.parameters;
-    return parameters.types.at(parameters.vesicles.front().type).area.constraint.index();
+std::vector<std::size_t> kinds_of_constraint(const Parameters& parameters) {
+    std::vector<std::size_t> kinds;
+    for (const VesicleParameters& vesicle : parameters.vesicles)
+        kinds.push_back(parameters.types.at(vesicle.type).area.constraint.index());
+    return kinds;
 }
 
 } // namespace
@@ -141,7 +143,7 @@ StartState find_start_state(const Case& what, Colleagues& colleagues) {
     start.step = found.checkpoint.engine.step;
     start.change.from_step_zero = true;
     start.change.without_controllers =
-        !what.parameters.vesicles.empty() && kind_of_constraint(what) != kind_of_constraint(before);
+        kinds_of_constraint(what.parameters) != kinds_of_constraint(before.parameters);
     return start;
 }
 

@@ -2,6 +2,7 @@
 #include "io/checkpoint.hpp"
 #include "io/checkpoint_seal.hpp"
 #include "io/checkpoint_store.hpp"
+#include "io/state_file.hpp"
 #include "small_disk.hpp"
 
 #include <catch2/catch.hpp>
@@ -67,6 +68,7 @@ void require_same(const Checkpoint& a, const Checkpoint& b) {
     REQUIRE(same_bits(a.engine.minority, b.engine.minority));
     REQUIRE(same_bits(a.engine.controllers, b.engine.controllers));
     REQUIRE(a.engine.band == b.engine.band);
+    REQUIRE(a.engine.label == b.engine.label);
     REQUIRE(a.case_text == b.case_text);
     REQUIRE(a.program_version == b.program_version);
     REQUIRE(a.notes.size() == b.notes.size());
@@ -86,6 +88,37 @@ TEST_CASE("a checkpoint read is the checkpoint written, bit for bit") {
         const Checkpoint written = awkward_checkpoint(precision);
         write_checkpoint(scratch / "a.h5", written);
         require_same(written, read_checkpoint(scratch / "a.h5"));
+    }
+}
+
+TEST_CASE("the colours of several vesicles survive slot by slot, as a whole and part by part") {
+    const ScratchDirectory scratch;
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+        Checkpoint written = awkward_checkpoint(precision);
+        EngineState& state = written.engine;
+        const std::size_t cells = state.minority.size();
+        for (std::size_t at = 0; at < 2 * cells; ++at) {
+            state.minority.push_back(state.minority[at]);
+            state.band.push_back(static_cast<std::uint8_t>(at % 4));
+        }
+        for (std::size_t at = 0; at < 3 * cells; ++at)
+            state.label.push_back(static_cast<std::int32_t>(at) - 1);
+        REQUIRE(state.slots() == 3);
+        write_checkpoint(scratch / "a.h5", written);
+        require_same(written, read_checkpoint(scratch / "a.h5"));
+
+        const CellBox part{{2, 1, 1}, {4, 3, 2}};
+        const EngineState read = read_state(scratch / "a.h5", part);
+        REQUIRE(read.slots() == 3);
+        std::size_t to = 0;
+        for (std::size_t slot = 0; slot < 3; ++slot)
+            for (int z = 1; z < 3; ++z)
+                for (int y = 1; y < 4; ++y)
+                    for (int x = 2; x < 6; ++x, ++to) {
+                        const std::size_t from = slot * cells + static_cast<std::size_t>((z * 5 + y) * 7 + x);
+                        REQUIRE(read.label[to] == state.label[from]);
+                        REQUIRE(read.band[to] == state.band[from]);
+                    }
     }
 }
 

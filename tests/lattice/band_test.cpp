@@ -215,7 +215,8 @@ TEST_CASE("a tile and the one that follows it are one run of twice the length in
             for (int dz = -1; dz <= 1 && alike; ++dz)
                 for (int dy = -1; dy <= 1 && alike; ++dy) {
                     const std::int64_t row = grid.tile_offset(dy, dz);
-                    alike = (band.slot_of_tile(a.tile + row) < 0) == (band.slot_of_tile(b.tile + row) < 0);
+                    alike =
+                        (band.slot_of_tile(a.tile + row, 0) < 0) == (band.slot_of_tile(b.tile + row, 0) < 0);
                 }
             CHECK(a.followed == alike);
             (alike ? followed : apart) += b.tile == a.tile + 1 ? 1 : 0;
@@ -230,7 +231,7 @@ TEST_CASE("a tile and the one that follows it are one run of twice the length in
             CHECK_FALSE(tiles.back().followed);
         // Twice the tile that stands for everything outside, and a margin, belong to nobody.
         for (std::int64_t t = 0; t < grid.tiles(); ++t)
-            CHECK((band.slot_of_tile(t) < 0 || band.slot_of_tile(t) >= 4 * Grid::tile));
+            CHECK((band.slot_of_tile(t, 0) < 0 || band.slot_of_tile(t, 0) >= 4 * Grid::tile));
     }
     CHECK(followed > 10);
     CHECK(apart > 10);
@@ -252,8 +253,8 @@ TEST_CASE("a band remembers nothing of the core it had before", "[lattice]") {
         std::int64_t addressed = 0;
         std::int64_t addressed_fresh = 0;
         for (std::int64_t t = 0; t < grid.tiles(); ++t) {
-            addressed += moved.slot_of_tile(t) >= 0 ? 1 : 0;
-            addressed_fresh += fresh.slot_of_tile(t) >= 0 ? 1 : 0;
+            addressed += moved.slot_of_tile(t, 0) >= 0 ? 1 : 0;
+            addressed_fresh += fresh.slot_of_tile(t, 0) >= 0 ? 1 : 0;
         }
         CHECK(addressed == addressed_fresh);
         moved.rebuild({});

@@ -196,7 +196,7 @@ TEST_CASE("once blocks have told each other their rims, every link of a band's c
             std::int64_t idle = 0; // tiles with an address that hold nothing of the band
             for (std::size_t at = 0; at < bands.size(); ++at)
                 for (std::int64_t t = 0; t < bands[at].grid().tiles(); ++t)
-                    if (const std::int32_t slot = bands[at].slot_of_tile(t); slot >= 0) {
+                    if (const std::int32_t slot = bands[at].slot_of_tile(t, 0); slot >= 0) {
                         const auto first = values[at].begin() + slot;
                         idle += std::count(first, first + Grid::tile, -1) == Grid::tile ? 1 : 0;
                     }

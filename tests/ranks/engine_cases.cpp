@@ -372,6 +372,9 @@ TEST_CASE("vesicles that are pressed together have the same bits on any ranks, i
     REQUIRE(engines.agree());
     engines.run(41);
     CHECK(engines.agree());
+    engines.restart([](EngineState&) {});
+    engines.run(5);
+    CHECK(engines.agree());
     const Snapshot together = engines.shared->snapshot();
     const DenseField phase = engines.shared->field("phase");
     const DenseField curvature = engines.shared->field("mean_curvature");

@@ -1,4 +1,5 @@
 #include "core/input_error.hpp"
+#include "lattice/velocity_set.hpp"
 #include "measure/surface.hpp"
 #include "measure/whole_cells.hpp"
 #include "simulation/engine_cases.hpp"
@@ -75,8 +76,8 @@ TEST_CASE("vesicles that do not meet are what they are with one colour for all")
     const auto several = make_engine(parameters, 2);
     parameters.vesicles.back().joins_previous = true;
     const auto one = make_engine(parameters, 2);
-    run(*several, 200);
-    run(*one, 200);
+    run(*several, 100);
+    run(*one, 100);
     REQUIRE(several->snapshot().vesicles.size() == 2);
     REQUIRE(one->snapshot().vesicles.size() == 1);
     const DenseField a = several->field("phase");
@@ -97,14 +98,11 @@ TEST_CASE("vesicles that are pressed together keep their masses, and a film of f
     const Snapshot before = engine->snapshot();
     double closest = 1e9;
     double fullest = 0.0;
-    double emptiest = 1.0;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 4; ++k) {
         run(*engine, 250);
         closest = std::min(closest, row_of(*engine, 0).gap);
-        for (const double share : shares_of(engine->save())) {
+        for (const double share : shares_of(engine->save()))
             fullest = std::max(fullest, share);
-            emptiest = std::min(emptiest, share);
-        }
     }
     const Snapshot after = engine->snapshot();
     REQUIRE(after.vesicles.size() == 2);
@@ -117,7 +115,6 @@ TEST_CASE("vesicles that are pressed together keep their masses, and a film of f
     CHECK(closest < 4.0); // their layers overlap
     CHECK(closest > 0.0);
     CHECK(fullest < 1.0 + 1e-9); // what they leave is the fluid outside
-    CHECK(emptiest >= 0.0);
     CHECK_FALSE(engine->trouble());
 }
 
@@ -143,13 +140,30 @@ TEST_CASE("a pair passes on both sides alike") {
     CHECK(a.tension == Approx(b.tension).epsilon(1e-7));
 }
 
-TEST_CASE("the order in which vesicles are listed does not matter") {
-    Parameters parameters = pressed_pair(3.0);
+/// A pair on both sides of a thin wall, of which a row's last tile has fluid cells of one and solid cells
+/// that the other's band reaches.
+Parameters pair_about_a_wall(int length) {
+    Parameters parameters = pressed_pair(6.0);
+    parameters.size = {length, 26, 26};
+    parameters.ends[0] = WallEnds{};
+    parameters.types[0].buoyancy = {2e-4, 0.0, 0.0};
+    parameters.types[1].buoyancy = {-2e-4, 0.0, 0.0};
+    for (VesicleParameters& vesicle : parameters.vesicles) {
+        vesicle.axis = {0.0, 0.0, 1.0};
+        vesicle.radius = 6.0;
+    }
+    parameters.vesicles[0].centre = {length - 9.0, 13.0, 13.0};
+    parameters.vesicles[1].centre = {9.0, 13.0, 13.0};
+    return parameters;
+}
+
+TEST_CASE("the order in which vesicles are listed does not matter, near each other or about a wall") {
+    Parameters parameters = GENERATE(pressed_pair(3.0), pair_about_a_wall(36), pair_about_a_wall(40));
     const auto first = make_engine(parameters, 2);
     std::swap(parameters.vesicles[0], parameters.vesicles[1]);
     const auto second = make_engine(parameters, 1);
-    run(*first, 300);
-    run(*second, 300);
+    run(*first, 100);
+    run(*second, 100);
     // Only the order of sums differs.
     const EngineState one = first->save();
     const EngineState other = second->save();
@@ -163,8 +177,20 @@ TEST_CASE("the order in which vesicles are listed does not matter") {
     for (std::size_t k = 0; k < 2; ++k) {
         CHECK(a.vesicles[k].colour_mass == Approx(b.vesicles[1 - k].colour_mass).epsilon(1e-13));
         CHECK(a.vesicles[k].tension == Approx(b.vesicles[1 - k].tension).epsilon(1e-9));
-        CHECK(a.vesicles[k].viscosity_ratio == b.vesicles[1 - k].viscosity_ratio);
     }
+    // Every membrane's force is counted once.
+    Vec3<double> whole{};
+    for (const VesicleSnapshot& vesicle : a.vesicles)
+        for (const InterfaceCell& cell : vesicle.cells)
+            whole = whole + cell.force;
+    const DenseField force = first->field("force");
+    double scale = 0.0;
+    Vec3<double> field{};
+    for (std::size_t k = 0; k < force.values.size(); ++k) {
+        field[static_cast<int>(k % 3)] += force.values[k];
+        scale += std::abs(force.values[k]);
+    }
+    CHECK(norm(whole - field) < 1e-12 * scale);
 }
 
 TEST_CASE("many vesicles have the same bits with any number of threads, and after a pause") {
@@ -175,16 +201,16 @@ TEST_CASE("many vesicles have the same bits with any number of threads, and afte
     parameters.vesicles.back().centre = {1.0, 27.0, 43.0};
     const auto one = make_engine(parameters, 1);
     const auto three = make_engine(parameters, 3);
-    run(*one, 151);
-    run(*three, 151);
+    run(*one, 81);
+    run(*three, 81);
     const EngineState state = one->save();
     CHECK(state.slots() > 1);
     CHECK(same_state(state, three->save()));
     const auto resumed = make_engine(parameters, 2);
     resumed->load(state);
     CHECK(same_state(resumed->save(), state));
-    run(*one, 150);
-    run(*resumed, 150);
+    run(*one, 70);
+    run(*resumed, 70);
     CHECK(same_state(one->save(), resumed->save()));
 }
 
@@ -199,14 +225,12 @@ TEST_CASE("a state of another number of vesicles is refused") {
 }
 
 TEST_CASE("each vesicle is as viscous and as buoyant as its type") {
-    // Rigid as they are set, the heavier sinks, the lighter rises, and the box as a whole stays where it is.
-    const auto engine = make_engine(pressed_pair(14.0), 2);
+    Parameters parameters = pressed_pair(14.0);
+    const auto engine = make_engine(parameters, 2);
     run(*engine, 300);
-    const Snapshot snapshot = engine->snapshot();
+    // One sinks, the other rises, and the box as a whole stays where it is.
     CHECK(row_of(*engine, 0).vz > 1e-4);
     CHECK(row_of(*engine, 1).vz < -1e-4);
-    CHECK(snapshot.vesicles[0].viscosity_ratio == 1.0);
-    CHECK(snapshot.vesicles[1].viscosity_ratio == 3.0);
     double momentum = 0.0;
     const EngineState state = engine->save();
     for (std::size_t at = 0; at < state.populations[0].size(); ++at)
@@ -214,4 +238,40 @@ TEST_CASE("each vesicle is as viscous and as buoyant as its type") {
             momentum += velocity(i, 2) * state.populations[static_cast<std::size_t>(i)][at];
     const double pushed = 300 * 2e-4 * 4.0 / 3.0 * 3.14159 * 343.0;
     CHECK(std::abs(momentum) < 2e-4 * pushed);
+    // The more viscous one is the slower for it.
+    parameters.types[1].viscosity_ratio = 1.0;
+    const auto alike = make_engine(parameters, 2);
+    run(*alike, 300);
+    CHECK(row_of(*alike, 1).vz / row_of(*engine, 1).vz > 1.03);
+    CHECK(row_of(*alike, 0).vz / row_of(*engine, 0).vz == Approx(1.0).epsilon(0.02));
+}
+
+TEST_CASE("what lies deep inside of one of several vesicles is its own") {
+    // So large that there are tiles beyond their bands, and runs of cells that a state tells of one by one.
+    Parameters parameters = pressed_pair(6.0);
+    parameters.size = {58, 56, 112};
+    for (VesicleParameters& vesicle : parameters.vesicles) {
+        vesicle.shape = SphereShape{};
+        vesicle.radius = 23.0;
+    }
+    parameters.vesicles[0].centre = {30.0, 28.0, 29.0};
+    parameters.vesicles[1].centre = {3.0, 27.0, 81.0}; // across a face
+    const auto engine = make_engine(parameters, 2);
+    const Snapshot before = engine->snapshot();
+    const double volume = 4.0 / 3.0 * 3.14159265 * 23.0 * 23.0 * 23.0;
+    for (const VesicleSnapshot& vesicle : before.vesicles) {
+        CHECK(vesicle.inside.size() > 20);
+        CHECK(vesicle.colour_mass == Approx(volume).epsilon(0.02));
+    }
+    run(*engine, 30);
+    const EngineState state = engine->save();
+    const auto resumed = make_engine(parameters, 1);
+    resumed->load(state);
+    CHECK(same_state(resumed->save(), state));
+    run(*engine, 10);
+    run(*resumed, 10);
+    CHECK(same_state(engine->save(), resumed->save()));
+    const Snapshot after = resumed->snapshot();
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(after.vesicles[k].colour_mass == Approx(before.vesicles[k].colour_mass).epsilon(1e-12));
 }

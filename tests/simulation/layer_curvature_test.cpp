@@ -55,7 +55,7 @@ CurvatureErrors errors_of(const Vec3<int>& box, const Surface& surface) {
     }
     const double scale = largest_squares / weights;
     return {std::sqrt(H_squares / weights / scale), std::sqrt(K_squares / weights) / scale,
-            layer.sums().gaussian_curvature, layer.sums().raw_area};
+            layer.sums(0).gaussian_curvature, layer.sums(0).raw_area};
 }
 
 CurvatureErrors sphere(double R) {

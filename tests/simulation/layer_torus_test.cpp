@@ -78,8 +78,8 @@ TorusErrors measure_torus(double R, GeometryRecipe recipe) {
             const double J = torus.a / radius * torus.width(theta) / (R + radius * std::cos(theta));
             force[bin] += J * dot(F, n) / places;
         });
-        errors.area += (layer.sums().raw_area / (4 * pi * pi * R * torus.a) - 1.0) / places;
-        errors.gaussian += layer.sums().gaussian_curvature / (4 * pi) / places;
+        errors.area += (layer.sums(0).raw_area / (4 * pi * pi * R * torus.a) - 1.0) / places;
+        errors.gaussian += layer.sums(0).gaussian_curvature / (4 * pi) / places;
     }
     double squares = 0.0;
     double exact_squares = 0.0;
