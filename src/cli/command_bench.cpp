@@ -32,6 +32,11 @@ void declare_bench(CLI::App& app, Action& action) {
         ->expected(1)
         ->take_all()
         ->allow_extra_args(false);
+    command
+        ->add_option("--colours", arguments->options.colours,
+                     "How many colours the spheres share; by default each has its own")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
     command->add_option("--seconds", arguments->options.seconds, "Time to spend on each case")
         ->type_name("S")
         ->check(CLI::Range(1e-3, 3600.0).description(""))

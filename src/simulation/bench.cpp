@@ -125,10 +125,37 @@ Parameters crowd(int edge, Precision precision) {
     return parameters;
 }
 
+/// A sphere in every cube of 32 cells, all of them in so many colours.
+Parameters spheres(int edge, Precision precision) {
+    constexpr int spacing = 32;
+    Parameters parameters = discocyte(edge, precision);
+    parameters.types.front().area.constraint = NoConstraint{};
+    VesicleParameters sphere = parameters.vesicles.front();
+    sphere.shape = SphereShape{};
+    sphere.radius = 10.0;
+    parameters.vesicles.clear();
+    for (int z = 0; z + spacing <= edge; z += spacing)
+        for (int y = 0; y + spacing <= edge; y += spacing)
+            for (int x = 0; x + spacing <= edge; x += spacing) {
+                sphere.centre = {x + 0.5 * spacing, y + 0.5 * spacing, z + 0.5 * spacing};
+                parameters.vesicles.push_back(sphere);
+            }
+    return parameters;
+}
+
+/// Neighbours in the list share a colour, so that so many are left; 0: one for each.
+void share_colours(Parameters& parameters, int colours) {
+    const std::size_t count = parameters.vesicles.size();
+    const std::size_t left = colours > 0 ? std::min(static_cast<std::size_t>(colours), count) : count;
+    for (std::size_t k = 1; k < count; ++k)
+        parameters.vesicles[k].joins_previous = k * left / count == (k - 1) * left / count;
+}
+
 struct StandardCase {
     const char* name;
     const char* text;
     Parameters (*parameters)(int edge, Precision precision);
+    bool by_name_only = false;
 };
 
 constexpr StandardCase standard_cases[] = {
@@ -136,12 +163,15 @@ constexpr StandardCase standard_cases[] = {
     {"mrt", "the same with multiple relaxation times", multiple_rates},
     {"discocyte", "a discocyte", discocyte},
     {"crowd", "a crowd of discocytes", crowd},
+    {"spheres", "spheres of several colours", spheres, true},
 };
 
 template <class Real>
 BenchCase measure_case(const StandardCase& standard, int edge, Precision precision, Passes<Real>& passes,
                        BenchLimit& limit, int threads, const BenchOptions& options) {
-    const Parameters parameters = standard.parameters(edge, precision);
+    Parameters parameters = standard.parameters(edge, precision);
+    if (standard.by_name_only)
+        share_colours(parameters, options.colours);
     const auto engine =
         options.factory ? options.factory(parameters, threads) : make_engine(parameters, threads);
     const auto step_twice = [&] {
@@ -178,7 +208,7 @@ BenchCase measure_case(const StandardCase& standard, int edge, Precision precisi
 }
 
 bool chosen(const StandardCase& standard, const BenchOptions& options) {
-    return options.cases.empty() ||
+    return (options.cases.empty() && !standard.by_name_only) ||
            std::find(options.cases.begin(), options.cases.end(), standard.name) != options.cases.end();
 }
 

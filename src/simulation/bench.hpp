@@ -12,6 +12,7 @@ struct BenchOptions {
     int threads = 0;                ///< 0: as many as default_threads()
     std::vector<int> edges;         ///< of the cubes; empty: 128
     std::vector<std::string> cases; ///< by name; empty: all
+    int colours = 0;                ///< of the spheres; 0: one for each
     double seconds = 5.0;           ///< to spend on each case
     EngineFactory factory;          ///< empty: make_engine
     std::ostream* progress = nullptr;
@@ -53,7 +54,8 @@ const std::vector<std::string>& bench_case_names();
 /// collision, `mrt`, the same with multiple relaxation times, `discocyte`, of R0 = 20 per 128 cells, and
 /// `crowd`, discocytes of R0 = 18.5, one in every 64^3 cells. Passes of the machine's limits and steps of a
 /// case take turns, so that a machine that is slower for a while is slower for all. Throws InputError for a
-/// box too small or a name unknown.
+/// box too small or a name unknown. By name only: `spheres` of
+/// R0 = 10, one in every 32^3 cells.
 BenchReport run_bench(const BenchOptions& options);
 
 std::string bench_text(const BenchReport& report);

@@ -64,8 +64,8 @@ InitialColours::Row InitialColours::row_near(std::span<const Placed> shapes, int
     return row;
 }
 
-/// From the nearest surface of a label; `far` where that is farther.
-double InitialColours::distance(const Row& row, int x, int label) const {
+double InitialColours::distance(const Row& row, std::size_t first_image, std::size_t last_image,
+                                int x) const {
     struct Candidate {
         const Row::Near* image = nullptr;
         double x = 0.0; ///< of the cell, from the image's centre
@@ -73,15 +73,12 @@ double InitialColours::distance(const Row& row, int x, int label) const {
             std::numeric_limits<double>::max(); ///< no surface is nearer than its bounding sphere
     };
     const auto for_each_in_reach = [&](const auto& body) {
-        for (const Row::Near& image : row.images) {
-            if (image.placed->label != label)
-                continue;
+        for (const Row::Near& image : std::span(row.images).subspan(first_image, last_image - first_image))
             for (const double from_x : offsets(x + 0.5, image.placed->centre.x, block_.box.x).way)
                 if (squared(from_x) < image.reach)
                     body(Candidate{&image, from_x,
                                    std::sqrt(squared(from_x) + squared(image.y) + squared(image.z)) -
                                        image.placed->shape->bounding_radius()});
-        }
     };
     const auto exactly = [&](const Candidate& candidate) {
         const Vec3<double>& centre = candidate.image->placed->centre;
@@ -125,16 +122,15 @@ InitialColours::InitialColours(const Block& block, std::vector<Placed> shapes, d
             for (int x0 = 0; x0 < size.x && !row.images.empty(); x0 += Grid::tile) {
                 const std::int64_t tile = grid_.index(x0, y, z) / Grid::tile;
                 const unsigned all = grid_.interior_bits({x0, y, z});
-                int previous = -1;
-                for (const Row::Near& image : row.images) {
-                    const int label = image.placed->label;
-                    if (label == previous)
-                        continue;
-                    previous = label;
+                std::size_t behind = 0;
+                for (std::size_t first = 0; first < row.images.size(); first = behind) {
+                    const int label = row.images[first].placed->label;
+                    while (behind < row.images.size() && row.images[behind].placed->label == label)
+                        ++behind;
                     unsigned core = 0;
                     unsigned red = 0;
                     for (int k = 0; k < Grid::tile && x0 + k < size.x; ++k) {
-                        const double s = distance(row, begin.x + x0 + k, label);
+                        const double s = distance(row, first, behind, begin.x + x0 + k);
                         red |= (s < 0.0 ? 1u : 0u) << k;
                         core |= (std::abs(s) < core_reach ? 1u : 0u) << k;
                     }
@@ -158,7 +154,7 @@ double InitialColours::chi_at(std::int64_t index, int label) const {
                                          [](const Placed& a, const Placed& b) { return a.label < b.label; });
     // To where the layer has long died away.
     const Row row = row_near(std::span(shapes.first, shapes.second), cell.y, cell.z, 40.0 / beta_);
-    const double s = distance(row, cell.x, label);
+    const double s = distance(row, 0, row.images.size(), cell.x);
     // (1 - tanh(beta |s|))/2 = 1/(1 + exp(2 beta |s|)) keeps its digits in the tail.
     return with_sign_bit(s < 0.0, 1.0 / (1.0 + std::exp(2.0 * beta_ * std::abs(s))));
 }

@@ -39,7 +39,9 @@ private:
     /// The images of these shapes that come within `far` of a row of cells, by its place in the whole box.
     Row row_near(std::span<const Placed> shapes, int y, int z, double far) const;
     std::vector<Placed> shapes_near_plane(int z, double far) const;
-    double distance(const Row& row, int x, int label) const;
+    /// From the nearest surface of the row's images from the first to the one before the last; `far` where
+    /// that is farther.
+    double distance(const Row& row, std::size_t first, std::size_t last, int x) const;
 
     Block block_;
     Grid grid_;

@@ -50,3 +50,24 @@ TEST_CASE("a case of bench that nobody knows is refused") {
     options.cases = {"fluid", "drop"};
     CHECK_THROWS_WITH(run_bench(options), Catch::Contains("drop") && Catch::Contains("discocyte"));
 }
+
+TEST_CASE("spheres are measured by name only, in as many colours as are asked for") {
+    BenchOptions options;
+    options.threads = 1;
+    options.edges = {96};
+    options.seconds = 1e-3;
+    std::vector<int> colours;
+    std::vector<std::size_t> spheres;
+    options.factory = [&](const Parameters& parameters, int) {
+        colours.push_back(parameters.labels().empty() ? 0 : parameters.labels().back() + 1);
+        spheres.push_back(parameters.vesicles.size());
+        return std::make_unique<FakeEngine>(parameters);
+    };
+    options.cases = {"spheres"};
+    for (const int wanted : {0, 1, 4, 100}) {
+        options.colours = wanted;
+        run_bench(options);
+    }
+    CHECK(colours == std::vector<int>{27, 27, 1, 1, 4, 4, 27, 27});
+    CHECK(spheres == std::vector<std::size_t>(8, 27));
+}

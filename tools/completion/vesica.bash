@@ -24,7 +24,7 @@ _vesica() {
             mapfile -t COMPREPLY < <(compgen -W "cells interface" -- "$current")
             return
             ;;
-        --blocks | --set | --threads | --steps | --size | --seconds) return ;;
+        --blocks | --set | --threads | --steps | --size | --colours | --seconds) return ;;
     esac
     local options="--help"
     case $command in
@@ -32,7 +32,7 @@ _vesica() {
         check) options="--set --threads --model --accept-soft-membranes --help" ;;
         resume) options="--threads --steps --profile --blocks --balance --help" ;;
         new) options="--list --output --help" ;;
-        bench) options="--json --threads --size --case --seconds --help" ;;
+        bench) options="--json --threads --size --case --colours --seconds --help" ;;
         info) ;;
         *) return ;;
     esac
