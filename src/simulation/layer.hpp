@@ -289,6 +289,9 @@ private:
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
                 const std::vector<Real>& density);
+    std::size_t index_of(const BandTile& t) const {
+        return static_cast<std::size_t>(&t - band_.tiles().data());
+    }
     unsigned fluid_bits(std::int64_t tile) const {
         const unsigned own = band_.grid().interior_bits(band_.grid().tile_origin(tile));
         return solids_ != nullptr ? own & ~unsigned{solids_->of_tile(tile)} : own;
@@ -360,7 +363,8 @@ private:
     std::vector<std::int32_t> slot_labels_;
     std::vector<std::int32_t> slot_tiles_; ///< per compact tile: its index in the band, -1
     std::vector<Band::Seed> laid_out_core_;
-    std::vector<std::uint8_t> core_bits_; ///< per band tile: cells with a force now
+    std::vector<std::uint8_t> laid_out_bits_; ///< per band tile: its cells in that core
+    std::vector<std::uint8_t> core_bits_;     ///< per band tile: cells with a force now
     bool empty_ = true;
     int colours_per_cell_ = 1;
     bool core_has_left_ = false; ///< one of them lies where there is no room for a force

@@ -52,7 +52,8 @@ void Layer<Real>::for_each_cell_colour(std::int64_t cell, Body&& body) const {
         if ((t.bits[Band::outermost] >> k & 1) == 0)
             return;
         tell_owner(t.label);
-        body(CellColour<Real>{t.label, fields_.chi[at(t.slot() + k)], (t.bits[0] >> k & 1) != 0});
+        body(CellColour<Real>{t.label, fields_.chi[at(t.slot() + k)],
+                              (laid_out_bits_[index_of(t)] >> k & 1) != 0});
     });
     tell_owner(std::numeric_limits<int>::max());
 }
@@ -212,6 +213,11 @@ void Layer<Real>::number_slots() {
     for (const BandTile& t : tiles)
         if (t.bits[reach::force] != 0) // not where all of the level is solid
             force_slots_[at(t.tile)] = t.slot();
+    // Beside sliding faces the band's own core is larger.
+    laid_out_bits_.assign(tiles.size(), 0);
+    for (const Band::Seed& seed : laid_out_core_)
+        laid_out_bits_[at(slot_tiles_[at(band_.slot_of_tile(seed.tile, seed.label) / tile_width)])] =
+            seed.bits;
     std::vector<std::int64_t> several = band_.shared_tiles();
     for (const BandTile& t : tiles)
         if (interior_[at(t.tile)] >= 0)
@@ -305,10 +311,10 @@ std::size_t Layer<Real>::bytes() const {
            (interior_.capacity() + force_slots_.capacity() + colour_slots_.capacity()) *
                sizeof(std::int32_t) +
            (slot_labels_.capacity() + slot_tiles_.capacity()) * sizeof(std::int32_t) + shared_.bytes() +
-           core_bits_.capacity() + margin_.bytes() + row_begins_.capacity() * sizeof(std::int32_t) +
-           leaked_sums_.bytes() + layer_sums_.bytes() + crossing_sums_.bytes() + area_sums_.bytes() +
-           red_sums_.bytes() + gaussian_sums_.bytes() + square_sums_.bytes() + plain_red_.bytes() +
-           face_tiles_.capacity() * sizeof(FaceTile);
+           core_bits_.capacity() + laid_out_bits_.capacity() + margin_.bytes() +
+           row_begins_.capacity() * sizeof(std::int32_t) + leaked_sums_.bytes() + layer_sums_.bytes() +
+           crossing_sums_.bytes() + area_sums_.bytes() + red_sums_.bytes() + gaussian_sums_.bytes() +
+           square_sums_.bytes() + plain_red_.bytes() + face_tiles_.capacity() * sizeof(FaceTile);
 }
 
 } // namespace vesica
