@@ -73,8 +73,7 @@ public:
     int labels() const { return settings_.labels; }
     const LayerSums& sums(int label) const { return sums_[at(label)]; }
     const LayerSettings& settings() const { return settings_; }
-    /// No rank has a layer.
-    bool empty() const { return empty_; }
+    bool empty() const { return empty_; } ///< on all ranks
     const Messages& messages() const { return halo_.messages(); }
 
     /// Per tile of the grid: bit k set where cell k belongs to a level of a band.
@@ -289,9 +288,6 @@ private:
     /// Cells that no longer hold both colours give up what they had of the minority.
     void let_go(const std::vector<BandTile>& tiles, const std::vector<Real>& chi,
                 const std::vector<Real>& density);
-    std::size_t index_of(const BandTile& t) const {
-        return static_cast<std::size_t>(&t - band_.tiles().data());
-    }
     unsigned fluid_bits(std::int64_t tile) const {
         const unsigned own = band_.grid().interior_bits(band_.grid().tile_origin(tile));
         return solids_ != nullptr ? own & ~unsigned{solids_->of_tile(tile)} : own;

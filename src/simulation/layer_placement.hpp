@@ -53,7 +53,7 @@ void Layer<Real>::for_each_cell_colour(std::int64_t cell, Body&& body) const {
             return;
         tell_owner(t.label);
         body(CellColour<Real>{t.label, fields_.chi[at(t.slot() + k)],
-                              (laid_out_bits_[index_of(t)] >> k & 1) != 0});
+                              (laid_out_bits_[at(&t - band_.tiles().data())] >> k & 1) != 0});
     });
     tell_owner(std::numeric_limits<int>::max());
 }
