@@ -23,11 +23,13 @@ template <class V>
 /// distance s. With x = x0 + s n the metric of the parallel surface gives, exactly,
 ///   Lap_0 q = (1/J) div_s ( J (1 - s W)^-2 grad_s q ),   J = det(1 - s W),
 /// for q constant along the normals. Here J (1 - s W)^-2 = A^2/J with the adjugate A = (1 - 2 s H) P + s W.
-/// G_ij = d_j n_i, H and J those of the cell; g tangential.
+/// G_ij = d_j n_i, H and J those of the cell; g tangential. Of G only what it does along the surface counts,
+/// which another sheet nearby hardly touches.
 template <class V>
 [[gnu::always_inline]] constexpr Vec3<V> flux_on_mid_surface(const Vec3<V>& g, const Jacobian<V>& G,
-                                                             const Vec3<V>& n, const V& s, const V& J) {
-    const V spherical = fma(-s, G.divergence(), V(1));
+                                                             const Vec3<V>& n, const V& s, const V& H,
+                                                             const V& J) {
+    const V spherical = fma(V(-2) * s, H, V(1));
     const auto adjugate = [&](const Vec3<V>& a) VESICA_INLINE_LAMBDA {
         const Vec3<V> Wa = tangential(Vec3<V>{dot(G.x, a), dot(G.y, a), dot(G.z, a)}, n);
         return Vec3<V>{fma(s, Wa.x, spherical * a.x), fma(s, Wa.y, spherical * a.y),

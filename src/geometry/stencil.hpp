@@ -6,6 +6,27 @@
 
 namespace vesica {
 
+namespace detail {
+
+/// sum += c_i difference
+template <int i, class V>
+[[gnu::always_inline]] constexpr void add_along(Vec3<V>& sum, const V& difference) {
+    if constexpr (velocity(i, 0) == 1)
+        sum.x += difference;
+    if constexpr (velocity(i, 0) == -1)
+        sum.x -= difference;
+    if constexpr (velocity(i, 1) == 1)
+        sum.y += difference;
+    if constexpr (velocity(i, 1) == -1)
+        sum.y -= difference;
+    if constexpr (velocity(i, 2) == 1)
+        sum.z += difference;
+    if constexpr (velocity(i, 2) == -1)
+        sum.z -= difference;
+}
+
+} // namespace detail
+
 /// d_a q = 3 sum_i t_i q(x + c_i) c_ia, second order with an isotropic leading error (1/6) d_a Lap q.
 /// `q(Direction<i>{})` is the value at x + c_i.
 template <class V, class Around>
@@ -15,23 +36,8 @@ template <class V, class Around>
     Vec3<V> diagonal{nothing, nothing, nothing};
     for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
         constexpr int head = decltype(i)::value;
-        constexpr int cx = velocity(head, 0);
-        constexpr int cy = velocity(head, 1);
-        constexpr int cz = velocity(head, 2);
         const V difference = q(Direction<head>{}) - q(Direction<opposite(head)>{});
-        Vec3<V>& sum = cx * cx + cy * cy + cz * cz == 1 ? axial : diagonal;
-        if constexpr (cx == 1)
-            sum.x += difference;
-        if constexpr (cx == -1)
-            sum.x -= difference;
-        if constexpr (cy == 1)
-            sum.y += difference;
-        if constexpr (cy == -1)
-            sum.y -= difference;
-        if constexpr (cz == 1)
-            sum.z += difference;
-        if constexpr (cz == -1)
-            sum.z -= difference;
+        detail::add_along<head>(detail::squared_speed(head) == 1 ? axial : diagonal, difference);
     });
     constexpr double near = 3.0 / 18.0;
     constexpr double far = 3.0 / 36.0;
@@ -83,6 +89,41 @@ struct Jacobian {
 template <class V, class Around>
 [[gnu::always_inline]] constexpr Jacobian<V> jacobian(const Vec3<Around>& q) {
     return {gradient<V>(q.x), gradient<V>(q.y), gradient<V>(q.z)};
+}
+
+/// The Jacobian of a field of unit normals where two sheets of a surface may lie within one stencil; n is the
+/// normal here. Beyond the plane midway between the sheets the normals point the other way, and it is -q that
+/// goes on smoothly. A neighbour without a normal (q = 0) is taken to have the one here.
+template <class V, class Around>
+[[gnu::always_inline]] constexpr Jacobian<V> jacobian_of_normals(const Vec3<Around>& q, const Vec3<V>& n) {
+    const V nothing = V(-0.0);
+    Jacobian<V> d{{nothing, nothing, nothing}, {nothing, nothing, nothing}, {nothing, nothing, nothing}};
+    Vec3<V> missing{nothing, nothing, nothing};
+    for_each_pair([&](auto i) VESICA_INLINE_LAMBDA {
+        constexpr int head = decltype(i)::value;
+        constexpr int tail = opposite(head);
+        const Vec3<V> ahead{q.x(Direction<head>{}), q.y(Direction<head>{}), q.z(Direction<head>{})};
+        const Vec3<V> behind{q.x(Direction<tail>{}), q.y(Direction<tail>{}), q.z(Direction<tail>{})};
+        // 1, -1 where it lies beyond the middle, or 0 where there is none.
+        const auto side = [&](const Vec3<V>& there) VESICA_INLINE_LAMBDA {
+            return smaller(larger(dot(there, n) * V(1e30), V(-1)), V(1));
+        };
+        const V weight = V(detail::squared_speed(head) == 1 ? 3.0 / 18.0 : 3.0 / 36.0);
+        const V side_ahead = side(ahead);
+        const V side_behind = side(behind);
+        const V weight_ahead = weight * side_ahead;
+        const V weight_behind = weight * side_behind;
+        detail::add_along<head>(d.x, fma(weight_ahead, ahead.x, -(weight_behind * behind.x)));
+        detail::add_along<head>(d.y, fma(weight_ahead, ahead.y, -(weight_behind * behind.y)));
+        detail::add_along<head>(d.z, fma(weight_ahead, ahead.z, -(weight_behind * behind.z)));
+        detail::add_along<head>(missing, fma(weight_behind, side_behind, -(weight_ahead * side_ahead)));
+    });
+    for (int a = 0; a < 3; ++a) {
+        d.x[a] = fma(missing[a], n.x, d.x[a]);
+        d.y[a] = fma(missing[a], n.y, d.y[a]);
+        d.z[a] = fma(missing[a], n.z, d.z[a]);
+    }
+    return d;
 }
 
 } // namespace vesica

@@ -15,10 +15,11 @@ void Layer<Real>::normals(int threads) {
     }
     const auto direct = [&]<class Tiles>(const Tiles& t) {
         using V = typename Tiles::V;
-        const Vec3<V> n = unit_vector(outward_gradient(t));
+        const Vec3<V> outward = outward_gradient(t);
+        const Vec3<V> n = unit_vector(outward);
         const V chi = t.load(fields_.chi);
         const V density = t.load(fields_.density);
-        t.store(n, fields_.n);
+        t.store(mapped() ? normal_of_distance(outward) : n, fields_.n);
         t.store(segregation_flux(chi, density, n, settings_.beta), fields_.w);
     };
     const std::initializer_list<std::span<Real>> found{fields_.n[0], fields_.n[1], fields_.n[2],
@@ -81,9 +82,9 @@ void Layer<Real>::curvatures(int threads) {
     const auto bend = [&]<class Tiles>(const Tiles& t, std::size_t, int thread) {
         using V = typename Tiles::V;
         const Vec3<V> n = t.load(fields_.n);
-        const Jacobian<V> G = jacobian<V>(around(fields_.n, t));
         const V s = t.load(fields_.s);
-        const Curvatures<V> here = mapped() ? curvatures_of(G, n) : paper_curvatures_of(G, n);
+        const Curvatures<V> here = mapped() ? curvatures_of(jacobian_of_normals(around(fields_.n, t), n), n)
+                                            : paper_curvatures_of(jacobian<V>(around(fields_.n, t)), n);
         const Curvatures<V> surface = mapped() ? map_to_mid_surface(here, s) : here;
         t.store(surface.H, fields_.raw_H0);
         if (!mapped())
@@ -132,7 +133,9 @@ void Layer<Real>::slopes(int threads) {
         const Vec3<V> g = tangential(gradient<V>(around(fields_.sharp, t)), n);
         const V s = t.load(fields_.s);
         const V J = t.load(fields_.J);
-        t.store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, J), fields_.g);
+        // The cell's own H, from H0 = (H - s K)/J and K0 = K/J.
+        const V H = J * fma(s, t.load(fields_.K0), t.load(fields_.raw_H0));
+        t.store(flux_on_mid_surface(g, jacobian<V>(around(fields_.n, t)), n, s, H, J), fields_.g);
     };
     share(reach::slope, threads, {fields_.g[0], fields_.g[1], fields_.g[2]}, slope);
     extend_into_solids({fields_.g[0], fields_.g[1], fields_.g[2]}, reach::slope, 0.0, threads);

@@ -147,7 +147,9 @@ TEST_CASE("from any parallel surface the flux gives Lap_s on phi = 0: sphere and
             };
             const auto flux = [&](const Vec3<double>& y) {
                 const Vec3<double> n = n_of(y);
-                return flux_on_mid_surface(tangential(derivative(q, y, fine), n), G_of(y), n, s, J_of(y));
+                const Jacobian<double> G = G_of(y);
+                return flux_on_mid_surface(tangential(derivative(q, y, fine), n), G, n, s,
+                                           0.5 * G.divergence(), J_of(y));
             };
             return surface_divergence(derivatives(flux, x, 1e-3), n_of(x)) / J_of(x);
         };

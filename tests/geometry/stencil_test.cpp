@@ -1,3 +1,4 @@
+#include "geometry/normal.hpp"
 #include "geometry/stencil.hpp"
 
 #include <catch2/catch.hpp>
@@ -103,6 +104,80 @@ TEST_CASE("the Jacobian's rows are the gradients of the components", "[geometry]
     CHECK(J.divergence() == Approx(15.0));
     const Vec3<double> n{0.6, 0.0, 0.8};
     CHECK(J.normal_component(n) == Approx(0.36 * 1 + 0.48 * (3 + 7) + 0.64 * 9));
+}
+
+namespace {
+
+/// Unit normals of gently bent surfaces about z.
+constexpr auto bent = [](const Vec3<double>& x) {
+    return unit_vector(Vec3<double>{0.05 * x.x + 0.02 * x.y, -0.03 * x.y, 1.0 + 0.01 * x.z});
+};
+
+template <class Field>
+Jacobian<double> jacobian_of_normals_at(const Field& n, const Vec3<double>& x) {
+    const auto component = [&](int a) {
+        return [&n, a](const Vec3<double>& y) {
+            return n(y)[a];
+        };
+    };
+    using Component = decltype(around(component(0), x));
+    return jacobian_of_normals(
+        Vec3<Component>{around(component(0), x), around(component(1), x), around(component(2), x)}, n(x));
+}
+
+Jacobian<double> reversed(const Jacobian<double>& J) {
+    return {-J.x, -J.y, -J.z};
+}
+
+double difference(const Jacobian<double>& a, const Jacobian<double>& b) {
+    return norm(a.x - b.x) + norm(a.y - b.y) + norm(a.z - b.z);
+}
+
+} // namespace
+
+TEST_CASE("the Jacobian of normals does not see that those of another sheet point the other way",
+          "[geometry]") {
+    const Jacobian<double> one = jacobian_of_normals_at(bent, point);
+    const auto component = [](int a) {
+        return [a](const Vec3<double>& x) {
+            return bent(x)[a];
+        };
+    };
+    using Component = decltype(around(component(0), point));
+    const Jacobian<double> plain = jacobian<double>(Vec3<Component>{
+        around(component(0), point), around(component(1), point), around(component(2), point)});
+    CHECK(difference(one, plain) < 1e-15);
+    for (const double middle : {point.z - 0.5, point.z + 0.2}) {
+        const auto sheets = [&](const Vec3<double>& x) {
+            return (x.z > middle ? 1.0 : -1.0) * bent(x);
+        };
+        const Jacobian<double> found = jacobian_of_normals_at(sheets, point);
+        CHECK(difference(point.z > middle ? found : reversed(found), one) < 1e-15);
+    }
+}
+
+TEST_CASE("the Jacobian of normals takes a normal that is missing to be the one here", "[geometry]") {
+    const auto above = [&](const Vec3<double>& x) {
+        return x.z > point.z + 0.5;
+    };
+    const auto missing = [&](const Vec3<double>& x) {
+        return (above(x) ? 0.0 : 1.0) * bent(x);
+    };
+    const auto repeated = [&](const Vec3<double>& x) {
+        return above(x) ? bent(point) : bent(x);
+    };
+    const Jacobian<double> found = jacobian_of_normals_at(missing, point);
+    CHECK(difference(found, jacobian_of_normals_at(repeated, point)) < 1e-15);
+    CHECK(found.x.x > 0.7 * jacobian_of_normals_at(bent, point).x.x);
+}
+
+TEST_CASE("a distance has a normal but midway between two sheets", "[geometry]") {
+    const Vec3<double> along = unit_vector(Vec3<double>{1.0, -2.0, 0.5});
+    CHECK(norm(normal_of_distance(0.55 * along) - along) < 1e-15);
+    CHECK(norm(normal_of_distance(1.1 * along) - along) < 1e-15);
+    CHECK(norm(normal_of_distance(0.45 * along)) == 0.0);
+    CHECK(norm(normal_of_distance(Vec3<double>{})) == 0.0);
+    CHECK(normal_of_distance(Vec3<float>{0.3f, 0.3f, 0.3f}).x == Approx(std::sqrt(1.0 / 3.0)));
 }
 
 TEST_CASE("the gradient of a sharpened field is fourth order", "[geometry]") {

@@ -44,14 +44,15 @@ __host__ __device__ void all_kernels(const Collision& collision, Real unit, Real
     const Vec3<Around<Real>> field{{0, unit}, {1, unit}, {2, unit}};
     const ColourDensities<Real> colours =
         gather_colours(g, Real(1), density, false, Around<Real>{3, unit}, field);
-    const Vec3<Real> n = unit_vector(gradient<Real>(Around<Real>{4, unit}));
-    const Jacobian<Real> G = jacobian<Real>(field);
+    const Vec3<Real> n = normal_of_distance(gradient<Real>(Around<Real>{4, unit}));
+    const Jacobian<Real> G = jacobian_of_normals(field, n);
     const Curvatures<Real> here = curvatures_of(G, n);
     const Real chi = chi_of_phase(Real(0.3) * unit);
     const Real s = signed_distance_of(chi, Real(1e-8), 0.67);
     const Curvatures<Real> surface = map_to_mid_surface(here, s);
     const Real J = area_to_mid_surface(here, s);
-    const Vec3<Real> slope = flux_on_mid_surface(tangential(Vec3<Real>{G.x.x, G.x.y, G.x.z}, n), G, n, s, J);
+    const Vec3<Real> slope = flux_on_mid_surface(tangential(Vec3<Real>{G.x.x, G.x.y, G.x.z}, n),
+                                                 jacobian<Real>(field), n, s, here.H, J);
     const Real normal_force = HelfrichLaw{0.1, 0.02}.force(surface.H, surface.K, surface_divergence(G, n)) +
                               PaperBendingLaw{0.1, 0.5}.force(surface.H, surface.K, slope.x) +
                               TensionLaw{0.01}.force(surface.H);

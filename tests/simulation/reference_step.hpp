@@ -281,6 +281,21 @@ private:
         return d;
     }
 
+    /// Of normals: those that point away from n count the other way round, and one that is missing as n.
+    Matrix jacobian_of_normals(const Vectors& v, std::size_t c) const {
+        Matrix d{};
+        for (int i = 1; i < direction_count; ++i) {
+            Vector there = v[neighbour_[c][i]];
+            const double along = there[0] * v[c][0] + there[1] * v[c][1] + there[2] * v[c][2];
+            for (int a = 0; a < 3; ++a) {
+                there[a] = along > 0.0 ? there[a] : along < 0.0 ? -there[a] : v[c][a];
+                for (int b = 0; b < 3; ++b)
+                    d[a][b] += 3.0 * w_[i] * c_[i][b] * there[a];
+            }
+        }
+        return d;
+    }
+
     /// W = P G P for a unit normal n.
     static Matrix projected(const Matrix& G, const Vector& n) {
         Matrix W{};
@@ -302,13 +317,15 @@ private:
             for (int a = 0; a < 3; ++a) {
                 n[c][a] /= std::max(length, 1e-300);
                 flux_[c][a] = 0.25 * constants_.beta * density_[c] * layer(c) * n[c][a];
+                if (length < 0.5)
+                    n[c][a] = 0.0;
             }
         });
         Scalars raw(cells_, 0.0);
         Scalars K0(cells_, 0.0);
         Scalars J(cells_, 1.0);
         within(4, [&](std::size_t c) {
-            const Matrix G = jacobian(n, c);
+            const Matrix G = jacobian_of_normals(n, c);
             const Matrix W = projected(G, n[c]);
             const double trace = W[0][0] + W[1][1] + W[2][2];
             double square = 0.0;
@@ -334,7 +351,8 @@ private:
         within(2, [&](std::size_t c) {
             // A^2 grad_s H0/J with the adjugate A = (1 - 2 s H) P + s W of 1 - s W.
             const Matrix G = jacobian(n, c);
-            const double spherical = 1.0 - s_[c] * (G[0][0] + G[1][1] + G[2][2]);
+            const double H = J[c] * (raw[c] + s_[c] * K0[c]); // the cell's own
+            const double spherical = 1.0 - 2.0 * s_[c] * H;
             const auto tangential = [&](Vector v) {
                 const double normal = v[0] * n[c][0] + v[1] * n[c][1] + v[2] * n[c][2];
                 for (int a = 0; a < 3; ++a)
