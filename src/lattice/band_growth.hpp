@@ -30,7 +30,7 @@ bool matters_to(const Block& block, const Vec3<int>& first);
 /// belongs to several.
 class BandGrowth {
 public:
-    static constexpr int levels = 10;
+    static constexpr int levels = 9;
     static constexpr int outermost = levels - 1;
     /// Cores farther than this from a block do not matter to it or its ghosts.
     static constexpr int core_reach = outermost + 1;

@@ -10,8 +10,8 @@ inline constexpr int force = 1;
 inline constexpr int slope = 2;
 inline constexpr int curvature = 3;
 inline constexpr int raw_curvature = 4; ///< sharpening asks for one level more as well
-inline constexpr int colour = 7;        ///< cells that may hold both colours, with the normals that part them
-inline constexpr int receiving = 8;     ///< cells that colour may leak into within a step; sharpened s
+inline constexpr int colour = 6;        ///< cells that may hold both colours, with the normals that part them
+inline constexpr int receiving = 7;     ///< cells that colour may leak into within a step; sharpened s
 } // namespace reach
 
 } // namespace vesica

@@ -2,6 +2,7 @@
 
 #include "case/engine_state.hpp"
 #include "lattice/velocity_set.hpp"
+#include "simulation/layer_reach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -192,7 +193,7 @@ private:
         Scalars red = red_;
         Scalars blue = blue_;
         weigh();
-        within(8, [&](std::size_t c) {
+        within(reach::receiving, [&](std::size_t c) {
             double reds = 0.0;
             double blues = 0.0;
             for (int i = 0; i < direction_count; ++i) {
@@ -217,10 +218,10 @@ private:
     /// What has left the band, to its cells in proportion to 1 - phi^2.
     void give_back() {
         double sum = 0.0;
-        within(7, [&](std::size_t c) { sum += layer(c); });
+        within(reach::colour, [&](std::size_t c) { sum += layer(c); });
         const double share = leaked_ / sum;
         leaked_ = 0.0;
-        within(7, [&](std::size_t c) {
+        within(reach::colour, [&](std::size_t c) {
             const double more_red = share * layer(c) / density_[c];
             red_[c] += more_red;
             blue_[c] -= more_red;
@@ -309,9 +310,9 @@ private:
 
     void geometry() {
         Scalars sharp(cells_, 0.0);
-        within(8, [&](std::size_t c) { sharp[c] = s_[c] - laplacian(s_, c) / 6.0; });
+        within(reach::receiving, [&](std::size_t c) { sharp[c] = s_[c] - laplacian(s_, c) / 6.0; });
         Vectors n(cells_);
-        within(7, [&](std::size_t c) {
+        within(reach::colour, [&](std::size_t c) {
             n[c] = gradient(sharp, c);
             const double length = std::sqrt(n[c][0] * n[c][0] + n[c][1] * n[c][1] + n[c][2] * n[c][2]);
             for (int a = 0; a < 3; ++a) {
