@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/parameters.hpp"
+#include "case/suspension_parameters.hpp"
 #include "core/input_error.hpp"
 #include "core/scales.hpp"
 
@@ -35,6 +36,9 @@ struct Case {
     Parameters parameters;
     RunParameters run;
     OutputParameters output;
+    /// What is still to be packed (simulation/suspension.hpp), or has been: `packed` of the last vesicles.
+    std::optional<SuspensionParameters> suspension;
+    std::size_t packed = 0;
     std::optional<InitialCheckpoint> initial; ///< absent: the vesicles' shapes in a fluid at rest
 
     std::optional<Scales> scales;          ///< absent: the case is stated in lattice units only

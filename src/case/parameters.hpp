@@ -294,6 +294,15 @@ struct FieldOutput {
     friend bool operator==(const FieldOutput&, const FieldOutput&) = default;
 };
 
+/// Means over cells at the same place across a flow.
+struct ProfileOutput {
+    std::int64_t every = 0;
+    int along = 0;       ///< axis of the flow
+    int across_axis = 2; ///< axis along which places differ; -1: by the distance from the box's middle line
+
+    friend bool operator==(const ProfileOutput&, const ProfileOutput&) = default;
+};
+
 /// Points from one place to another, evenly spaced, both included.
 struct TracerSeeds {
     Vec3<double> from{};
@@ -327,6 +336,7 @@ struct OutputParameters {
     std::int64_t metrics_every = 0; ///< 0: never
     std::optional<FieldOutput> fields;
     std::int64_t surfaces_every = 0;
+    std::optional<ProfileOutput> profiles;
     std::optional<TracerOutput> tracers;
     std::int64_t checkpoint_every = 0;
     int checkpoint_keep = 2;

@@ -5,6 +5,7 @@
 #include "simulation/plan.hpp"
 #include "simulation/plan_text.hpp"
 #include "simulation/start_state.hpp"
+#include "simulation/suspension.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -36,7 +37,8 @@ int check(const CheckArguments& arguments) {
     }
     if (arguments.model)
         std::cout << '\n';
-    const Case what = read_case(arguments.case_file, arguments.overrides);
+    Case what = read_case(arguments.case_file, arguments.overrides);
+    pack_suspension(what);
     const Plan plan = make_plan(what, PlanOptions{arguments.accept_soft_membranes});
     const int threads = arguments.threads > 0 ? arguments.threads : default_threads();
     std::optional<std::string> start;

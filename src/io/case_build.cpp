@@ -2,6 +2,8 @@
 
 #include "case/resolution.hpp"
 #include "io/case_build_flow.hpp"
+#include "io/case_build_region.hpp"
+#include "io/case_build_suspension.hpp"
 #include "io/case_build_vesicle.hpp"
 #include "io/case_fit.hpp"
 
@@ -143,23 +145,25 @@ FieldOutput read_fields(const CaseValues& values, const Vec3<int>& size) {
         fields.names.push_back(std::get<std::string>(name.value));
     fields.stride = static_cast<int>(values.integer("output.fields.stride"));
     fields.average = values.boolean("output.fields.average");
-    fields.region_end = size;
-    const std::string path = "output.fields.region";
-    if (!values.find(path))
-        return fields;
-    for (int a = 0; a < 3; ++a) {
-        const std::int64_t begin = values.integer(path, static_cast<std::size_t>(a));
-        const std::int64_t end = values.integer(path, static_cast<std::size_t>(a) + 3);
-        if (begin < 0 || end > size[a] || begin >= end) {
-            values.refuse(path,
-                          fmt::format("expected two corners within the box, the second beyond the first; try "
-                                      "region = [[0, 0, 0], [{}, {}, {}]]",
-                                      size.x, size.y, size.z));
-        }
-        fields.region_begin[a] = static_cast<int>(begin);
-        fields.region_end[a] = static_cast<int>(end);
-    }
+    const CaseRegion region = build_region(values, "output.fields.region", size);
+    fields.region_begin = region.begin;
+    fields.region_end = region.end;
     return fields;
+}
+
+ProfileOutput read_profiles(const CaseValues& values) {
+    const auto axis = [&](const std::string& name) {
+        return name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : -1;
+    };
+    ProfileOutput profiles;
+    profiles.every = values.integer("output.profiles.every");
+    profiles.across_axis = axis(values.text("output.profiles.across"));
+    profiles.along = axis(values.text("output.profiles.along"));
+    if (profiles.across_axis == profiles.along)
+        values.refuse("output.profiles.across",
+                      "expected another axis than output.profiles.along; try across = \"" +
+                          std::string(profiles.along == 2 ? "x" : "z") + "\"");
+    return profiles;
 }
 
 TracerOutput read_tracers(const CaseValues& values, const Vec3<int>& size) {
@@ -209,6 +213,8 @@ OutputParameters read_output(const CaseValues& values, const Vec3<int>& size) {
     }
     if (values.has_table("output.surfaces"))
         output.surfaces_every = values.integer("output.surfaces.every");
+    if (values.has_table("output.profiles") && values.integer("output.profiles.every") > 0)
+        output.profiles = read_profiles(values);
     if (values.has_table("tracers"))
         output.tracers = read_tracers(values, size);
     if (values.has_table("output.checkpoint")) {
@@ -218,8 +224,8 @@ OutputParameters read_output(const CaseValues& values, const Vec3<int>& size) {
     return output;
 }
 
-void check_fit(const CaseValues& values, const Parameters& parameters, const VesicleParameters& vesicle,
-               const std::string& path) {
+void check_radius(const CaseValues& values, const Parameters& parameters, const VesicleParameters& vesicle,
+                  const std::string& path) {
     const double beta = parameters.fluid.segregation;
     if (vesicle.radius > 0.0 && judge_resolution(beta, vesicle.radius) == Resolution::error)
         values.refuse(
@@ -227,6 +233,11 @@ void check_fit(const CaseValues& values, const Parameters& parameters, const Ves
             fmt::format("expected at least {:.3g} cells, as even a sphere is not resolved otherwise (radius "
                         "times fluid.segregation below {:g}); try radius = 15",
                         resolution_error / beta, resolution_error));
+}
+
+void check_fit(const CaseValues& values, const Parameters& parameters, const VesicleParameters& vesicle,
+               const std::string& path) {
+    check_radius(values, parameters, vesicle, path);
     const Vec3<double> half = least_half_widths(vesicle);
     for (int a = 0; a < 3; ++a) {
         const int side = parameters.size[a];
@@ -252,10 +263,14 @@ void check_references(const CaseValues& values) {
         return found == values.tables.end() ? std::vector<std::string>{} : found->second;
     };
     const auto types = instances("vesicle_type.*");
-    const auto vesicles = instances("vesicle[]");
-    if (vesicles.empty())
-        values.refuse("vesicle",
-                      "expected one [[vesicle]]; try [[vesicle]] with type, shape, centre and radius");
+    auto vesicles = instances("vesicle[]");
+    const auto suspensions = instances("suspension");
+    if (vesicles.empty() && suspensions.empty())
+        values.refuse(
+            "vesicle",
+            "expected one [[vesicle]] or a [suspension]; try [[vesicle]] with type, shape, centre and "
+            "radius");
+    vesicles.insert(vesicles.end(), suspensions.begin(), suspensions.end());
     for (const std::string& vesicle : vesicles) {
         const std::string& type = values.text(vesicle + ".type");
         if (std::find(types.begin(), types.end(), "vesicle_type." + type) != types.end())
@@ -290,10 +305,14 @@ void build_case(CaseValues& values, const CaseUnits& units, const std::filesyste
     build_flow(values, parameters);
     for (const std::string& path : values.tables.at("vesicle_type.*"))
         parameters.types.push_back(build_vesicle_type(values, path));
-    for (const std::string& path : values.tables.at("vesicle[]")) {
-        parameters.vesicles.push_back(build_vesicle(values, path, parameters.types, folder));
-        check_fit(values, parameters, parameters.vesicles.back(), path);
-    }
+    if (const auto found = values.tables.find("vesicle[]"); found != values.tables.end())
+        for (const std::string& path : found->second) {
+            parameters.vesicles.push_back(build_vesicle(values, path, parameters.types, folder));
+            check_fit(values, parameters, parameters.vesicles.back(), path);
+        }
+    result.suspension = build_suspension(values, parameters, folder);
+    if (result.suspension)
+        check_radius(values, parameters, result.suspension->vesicle, "suspension");
     if (values.has_table("initial")) {
         result.initial = InitialCheckpoint{values.text("initial.checkpoint"), std::nullopt};
         if (values.find("initial.step"))

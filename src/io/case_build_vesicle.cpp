@@ -50,8 +50,28 @@ AreaParameters read_area(const CaseValues& values, const std::string& table) {
     return area;
 }
 
-ShapeParameters read_shape(const CaseValues& values, const std::string& path,
-                           const std::filesystem::path& folder) {
+Perturbation read_perturbation(const CaseValues& values, const std::string& path) {
+    const double amplitude = values.number(path + ".amplitude");
+    if (values.find(path + ".l")->is_array) {
+        if (amplitude < 0.0)
+            values.refuse(path + ".amplitude",
+                          "expected at least 0, being an r.m.s. of random harmonics; try "
+                          "amplitude = 0.01");
+        return RandomPerturbation{static_cast<int>(values.integer(path + ".l", 0)),
+                                  static_cast<int>(values.integer(path + ".l", 1)), amplitude,
+                                  static_cast<std::uint64_t>(values.integer(path + ".seed"))};
+    }
+    const auto l = values.integer(path + ".l");
+    const auto m = values.integer(path + ".m");
+    if (std::abs(m) > l)
+        values.refuse(path + ".m", fmt::format("expected from {} to {}, as l is {}; try m = 0", -l, l, l));
+    return HarmonicPerturbation{static_cast<int>(l), static_cast<int>(m), amplitude};
+}
+
+} // namespace
+
+ShapeParameters build_shape(const CaseValues& values, const std::string& path,
+                            const std::filesystem::path& folder) {
     const std::string& shape = values.text(path + ".shape");
     if (shape == "spheroid")
         return SpheroidShape{values.number(path + ".aspect")};
@@ -75,25 +95,13 @@ ShapeParameters read_shape(const CaseValues& values, const std::string& path,
     return HelfrichShape{branch, values.number(path + ".reduced_volume")};
 }
 
-Perturbation read_perturbation(const CaseValues& values, const std::string& path) {
-    const double amplitude = values.number(path + ".amplitude");
-    if (values.find(path + ".l")->is_array) {
-        if (amplitude < 0.0)
-            values.refuse(path + ".amplitude",
-                          "expected at least 0, being an r.m.s. of random harmonics; try "
-                          "amplitude = 0.01");
-        return RandomPerturbation{static_cast<int>(values.integer(path + ".l", 0)),
-                                  static_cast<int>(values.integer(path + ".l", 1)), amplitude,
-                                  static_cast<std::uint64_t>(values.integer(path + ".seed"))};
-    }
-    const auto l = values.integer(path + ".l");
-    const auto m = values.integer(path + ".m");
-    if (std::abs(m) > l)
-        values.refuse(path + ".m", fmt::format("expected from {} to {}, as l is {}; try m = 0", -l, l, l));
-    return HarmonicPerturbation{static_cast<int>(l), static_cast<int>(m), amplitude};
+std::size_t type_index(const CaseValues& values, const std::string& path,
+                       const std::vector<VesicleType>& types) {
+    const std::string& name = values.text(path + ".type");
+    const auto type =
+        std::find_if(types.begin(), types.end(), [&](const VesicleType& t) { return t.name == name; });
+    return static_cast<std::size_t>(type - types.begin());
 }
-
-} // namespace
 
 VesicleType build_vesicle_type(const CaseValues& values, const std::string& path) {
     VesicleType type;
@@ -110,11 +118,8 @@ VesicleType build_vesicle_type(const CaseValues& values, const std::string& path
 VesicleParameters build_vesicle(const CaseValues& values, const std::string& path,
                                 const std::vector<VesicleType>& types, const std::filesystem::path& folder) {
     VesicleParameters vesicle;
-    const std::string& name = values.text(path + ".type");
-    const auto type =
-        std::find_if(types.begin(), types.end(), [&](const VesicleType& t) { return t.name == name; });
-    vesicle.type = static_cast<std::size_t>(type - types.begin());
-    vesicle.shape = read_shape(values, path, folder);
+    vesicle.type = type_index(values, path, types);
+    vesicle.shape = build_shape(values, path, folder);
     for (int a = 0; a < 3; ++a) {
         vesicle.centre[a] = values.number(path + ".centre", static_cast<std::size_t>(a));
         vesicle.axis[a] = values.number(path + ".axis", static_cast<std::size_t>(a));

@@ -38,12 +38,6 @@ public:
 private:
     void walk(const TomlMember& member, const std::string& path, const std::string& generic) {
         const TomlNode& node = *member.node;
-        if (const UnavailableTable* unavailable = find_unavailable_table(generic)) {
-            throw InputError(
-                member.key_place,
-                fmt::format("{} is not available yet ({}); expected a [[vesicle]] for each; try removing it",
-                            path, unavailable->meaning));
-        }
         if (const CaseKey* key = find_case_key(generic)) {
             if (key->kind == KeyKind::choice_or_table && node.table()) {
                 CaseValue value;

@@ -12,4 +12,7 @@ std::vector<CaseKey> run_and_output_keys();
 /// The keys of [boundary] and [flow].
 std::vector<CaseKey> flow_keys();
 
+/// The keys of [suspension].
+std::vector<CaseKey> suspension_keys();
+
 } // namespace vesica::detail

@@ -306,8 +306,8 @@ std::vector<CaseKey> all_keys() {
          .need = Need::required,
          .range = {.low = 1.0, .high = 65536.0}},
     };
-    for (const auto& part : {fluid_keys(), vesicle_type_keys(), vesicle_keys(), detail::flow_keys(),
-                             detail::run_and_output_keys()})
+    for (const auto& part : {fluid_keys(), vesicle_type_keys(), vesicle_keys(), detail::suspension_keys(),
+                             detail::flow_keys(), detail::run_and_output_keys()})
         keys.insert(keys.end(), part.begin(), part.end());
     return keys;
 }

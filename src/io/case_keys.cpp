@@ -68,14 +68,6 @@ const CaseTable* find_case_table(std::string_view generic_path) {
     return nullptr;
 }
 
-const UnavailableTable* find_unavailable_table(std::string_view path) {
-    for (const UnavailableTable& table : unavailable_tables()) {
-        if (table.path == path)
-            return &table;
-    }
-    return nullptr;
-}
-
 std::string nearest_case_path(std::string_view unknown) {
     std::vector<std::string> known;
     for (const CaseKey& key : case_keys())

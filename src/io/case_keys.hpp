@@ -82,16 +82,8 @@ struct CaseTable {
 const std::vector<CaseKey>& case_keys();
 const std::vector<CaseTable>& case_tables();
 
-/// Tables that the case file has a place for but this version cannot serve; each with what it would be.
-struct UnavailableTable {
-    std::string path;
-    std::string meaning;
-};
-const std::vector<UnavailableTable>& unavailable_tables();
-
 const CaseKey* find_case_key(std::string_view generic_path);
 const CaseTable* find_case_table(std::string_view generic_path);
-const UnavailableTable* find_unavailable_table(std::string_view path);
 
 /// The known path nearest to an unknown one: within its table if a name there is close, else anywhere.
 std::string nearest_case_path(std::string_view unknown_generic_path);

@@ -141,10 +141,7 @@ This page is generated from the declarations that the reader itself uses.
         if (table.path == "units")
             page += "\n" + units_explanation();
     }
-    page += "\n## Not available yet\n\nThese tables are refused:\n\n";
-    for (const UnavailableTable& table : unavailable_tables())
-        page += fmt::format("- `[{}]`: {}\n", table.path, table.meaning);
-    page += "\nSo is `device = \"cuda\"`.\n";
+    page += "\n## Not available yet\n\n`device = \"cuda\"` is refused.\n";
     return page;
 }
 

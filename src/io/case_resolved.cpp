@@ -165,6 +165,32 @@ void write_vesicle(Resolver& out, const VesicleParameters& vesicle, const std::v
     }
 }
 
+void write_suspension(Resolver& out, const SuspensionParameters& suspension,
+                      const std::vector<VesicleType>& types) {
+    out.header("[suspension]", "suspension");
+    out.text("type", types[suspension.vesicle.type].name);
+    std::visit(WriteShape{out}, suspension.vesicle.shape);
+    out.number("radius", suspension.vesicle.radius);
+    if (suspension.haematocrit)
+        out.number("haematocrit", *suspension.haematocrit);
+    if (suspension.count)
+        out.whole("count", *suspension.count);
+    const bool spread = suspension.orientation == PackedOrientation::spread;
+    const bool random = suspension.orientation == PackedOrientation::random;
+    out.text("orientation", random ? "random" : spread ? "spread" : "aligned");
+    if (!random)
+        out.point("axis", suspension.axis);
+    if (spread)
+        out.number("spread", suspension.spread);
+    if (suspension.gap)
+        out.number("gap", *suspension.gap);
+    out.whole("seed", static_cast<std::int64_t>(suspension.seed));
+    const Vec3<int>& begin = suspension.region_begin;
+    const Vec3<int>& end = suspension.region_end;
+    out.raw("region",
+            fmt::format("[[{}, {}, {}], [{}, {}, {}]]", begin.x, begin.y, begin.z, end.x, end.y, end.z));
+}
+
 void write_run(Resolver& out, const Case& resolved) {
     out.header("[run]", "run");
     out.steps("steps", resolved.run.steps);
@@ -235,6 +261,8 @@ std::string resolved_toml(const Case& resolved) {
         write_type(out, type);
     for (std::size_t i = 0; i < parameters.vesicles.size(); ++i)
         write_vesicle(out, parameters.vesicles[i], parameters.types, i);
+    if (resolved.suspension && resolved.packed == 0) // those that are packed are vesicles like any other
+        write_suspension(out, *resolved.suspension, parameters.types);
 
     if (resolved.initial) {
         out.header("[initial]", "initial");
@@ -249,6 +277,16 @@ std::string resolved_toml(const Case& resolved) {
     out.text("device", "cpu");
     write_run(out, resolved);
     write_output(out, resolved.output);
+    if (resolved.output.profiles) {
+        const ProfileOutput& profiles = *resolved.output.profiles;
+        const auto axis = [](int a) {
+            return std::string(a < 0 ? "radius" : a == 0 ? "x" : a == 1 ? "y" : "z");
+        };
+        out.header("[output.profiles]", "output.profiles");
+        out.steps("every", profiles.every);
+        out.text("across", axis(profiles.across_axis));
+        out.text("along", axis(profiles.along));
+    }
     if (resolved.output.tracers)
         write_tracers(out, *resolved.output.tracers);
     return out.finish();

@@ -34,6 +34,8 @@ const std::vector<CaseTable>& case_tables() {
         {"vesicle[].perturbation[]", true,
          "Ripples r (1 + amplitude Y_lm), where Y_l0 is the Legendre polynomial P_l of the angle to the "
          "axis."},
+        {"suspension", true,
+         "Many vesicles alike, packed into the box; among those of [[vesicle]], if there are any."},
         {"initial", true,
          "A start from an earlier run's state instead of the vesicles' shapes, with this case's parameters."},
         {"numerics", false, "How it is computed."},
@@ -43,17 +45,14 @@ const std::vector<CaseTable>& case_tables() {
         {"output.metrics", false, "metrics.csv."},
         {"output.fields", true, "fields.h5 and fields.xmf."},
         {"output.surfaces", true, "Triangles of the membrane."},
+        {"output.profiles", true,
+         "Haematocrit and velocity across the flow, bin by bin (profiles.csv), and of the whole box, with "
+         "the "
+         "cell-free layer (suspension.csv)."},
         {"output.checkpoint", true, "States to resume from."},
         {"tracers", true, "Points that the fluid carries along: tracers.csv."},
         {"tracers.seeds[]", true, "Where they are released: points along a line."},
         {"units", true, "What the lattice's units are worth; needed as soon as a value has a unit."},
-    };
-    return tables;
-}
-
-const std::vector<UnavailableTable>& unavailable_tables() {
-    static const std::vector<UnavailableTable> tables{
-        {"suspension", "packing many vesicles"},
     };
     return tables;
 }

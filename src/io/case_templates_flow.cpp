@@ -6,7 +6,7 @@ namespace vesica {
 namespace {
 
 // clang-format off
-constexpr std::array<CaseTemplate, 3> templates{{
+constexpr std::array<CaseTemplate, 4> templates{{
 {"shear", "a prolate vesicle tank-treads between moving walls", R"toml(title = "A vesicle tank-treads in shear"
 
 # In a weak enough shear, and with equal viscosities, a vesicle takes a steady angle with the flow while its membrane
@@ -131,6 +131,45 @@ time = "1.5 s"
 metrics = { every = "2 ms" }
 surfaces = { every = "20 ms" }
 checkpoint = { every = "200 ms", keep = 2 }
+)toml"},
+{"suspension-shear", "cells packed at random and sheared without walls", R"toml(title = "A suspension in shear"
+
+# Cells are packed at random, then sheared by faces that slide past each other: no walls, so that effective_viscosity is
+# the suspension's own. The initial places are transient: average over the strains after the first two or so.
+
+[lattice]
+size = [96, 64, 96]
+
+[fluid]
+kinematic_viscosity = 0.3333333
+
+[flow.shear]
+rate = 2e-4                          # Re = rate R0^2/nu = 0.09, Ca_kappa = 1.3
+velocity = "x"
+gradient = "z"
+with = "lees-edwards"
+
+[vesicle_type.cell]
+[vesicle_type.cell.bending]
+modulus = 0.1
+
+[suspension]
+type = "cell"
+shape = "discocyte"                  # as of a [[vesicle]]
+reduced_volume = 0.8
+radius = 12.5                        # of the sphere of equal volume
+haematocrit = 0.2                    # or count = 14
+orientation = "random"               # random | aligned (axis) | spread (axis, spread)
+seed = 1                             # of places and orientations
+
+[run]
+steps = 30000                        # six strains
+
+[output]
+metrics = { every = 200 }            # effective_viscosity, particle_stress, gap; a row per cell
+profiles = { every = 1000, across = "z" }
+surfaces = { every = 2500 }
+checkpoint = { every = 10000, keep = 2 }
 )toml"},
 }};
 // clang-format on

@@ -1,6 +1,7 @@
 #include "shape/perturbation.hpp"
 
 #include "core/input_error.hpp"
+#include "shape/random_numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -8,39 +9,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <random>
 
 namespace vesica {
 namespace {
 
 constexpr int highest_degree = 32;
 constexpr double smallest_factor = 0.1;
-
-/// Independent standard normal numbers, two per pair of uniform ones (Box & Muller 1958).
-class Gaussian {
-public:
-    explicit Gaussian(std::uint64_t seed) : engine_(seed) {}
-
-    double operator()() {
-        if (has_spare_) {
-            has_spare_ = false;
-            return spare_;
-        }
-        const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-        const double angle = 2.0 * std::numbers::pi * uniform();
-        spare_ = radius * std::sin(angle);
-        has_spare_ = true;
-        return radius * std::cos(angle);
-    }
-
-private:
-    /// The upper 53 bits, in [0, 1).
-    double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
-    std::mt19937_64 engine_;
-    double spare_ = 0.0;
-    bool has_spare_ = false;
-};
 
 void add(HarmonicSeries& series, const HarmonicPerturbation& p) {
     if (p.l < 1 || p.l > highest_degree)
@@ -60,12 +34,12 @@ void add(HarmonicSeries& series, const RandomPerturbation& p) {
             fmt::format("perturbation.l is [{}, {}]; expected [lowest, highest] within 1 to {}; try "
                         "[2, 6]",
                         p.lowest, p.highest, highest_degree));
-    Gaussian gaussian(p.seed);
+    RandomNumbers random(p.seed);
     std::vector<double> numbers;
     double mean_square = 0.0;
     for (int l = p.lowest; l <= p.highest; ++l)
         for (int m = -l; m <= l; ++m) {
-            numbers.push_back(gaussian());
+            numbers.push_back(random.gaussian());
             mean_square += numbers.back() * numbers.back() / (2 * l + 1);
         }
     const double factor = p.amplitude / std::sqrt(mean_square);

@@ -1,8 +1,7 @@
 #include "simulation/plan.hpp"
 
-#include "case/triangle_mesh.hpp"
 #include "core/input_error.hpp"
-#include "simulation/flow_drive.hpp"
+#include "simulation/case_bodies.hpp"
 #include "simulation/plan_cost.hpp"
 #include "simulation/plan_judgement.hpp"
 
@@ -30,44 +29,13 @@ void judge_memory(const Parameters& parameters, double cells, Remarks& remarks) 
                      size.x, size.y, size.z, 1e-9 * least, 1e-9 * available)});
 }
 
-/// The shape of a vesicle. What the reader could not know to be impossible is refused here, at its place.
-std::unique_ptr<const Shape> shape_of(const Case& what, std::size_t index) {
-    const VesicleParameters& vesicle = what.parameters.vesicles[index];
-    try {
-        return make_shape(vesicle);
-    } catch (const InputError& refusal) {
-        const std::string message = refusal.what();
-        const std::string name = fmt::format("vesicle[{}].", index);
-        const auto* mesh = std::get_if<MeshShape>(&vesicle.shape);
-        if (mesh != nullptr && mesh->mesh && message.starts_with(mesh->mesh->source))
-            throw InputError(what.place(name + "file"),
-                             fmt::format("{}file is \"{}\"; {}", name, mesh->file, message));
-        const std::string key = message.substr(0, message.find_first_of(" ."));
-        throw InputError(what.place(name + key), name + message);
-    }
-}
-
-/// The cells that obstacles make solid. What the reader could not know to be impossible is refused here.
-std::shared_ptr<const SolidVoxels> obstacles_of(const Case& what) {
-    try {
-        auto solids = solid_voxels(what.parameters);
-        const std::size_t count = solids != nullptr ? solids->count() : 1;
-        const Vec3<int>& size = what.parameters.size;
-        if (count == 0)
-            throw InputError("no cell of the box is solid; expected some; try another obstacles.scale or "
-                             "obstacles.position, which are in cells");
-        if (solids != nullptr && count == static_cast<std::size_t>(size.x) *
-                                              static_cast<std::size_t>(size.y) *
-                                              static_cast<std::size_t>(size.z))
-            throw InputError(
-                "every cell of the box is solid; expected some fluid; try obstacles.solid = \"inside\" or "
-                "\"outside\", or another obstacles.scale");
-        return solids;
-    } catch (const InputError& refusal) {
-        throw InputError(
-            what.place("obstacles.file"),
-            fmt::format("obstacles.file is \"{}\"; {}", what.parameters.obstacles->file, refusal.what()));
-    }
+/// What is said of the first that was packed goes for all of them.
+void speak_of_suspension(std::size_t vesicle, Remarks& remarks) {
+    const std::string name = fmt::format("vesicle[{}]", vesicle);
+    for (Remark& remark : remarks)
+        for (std::string* const text : {&remark.key, &remark.text})
+            for (auto at = text->find(name); at != std::string::npos; at = text->find(name))
+                text->replace(at, name.size(), "suspension");
 }
 
 } // namespace
@@ -88,6 +56,7 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
         plan.expected_speed =
             std::max({plan.expected_speed, own.bending_speed.value_or(0.0), own.buoyant_speed});
     }
+    plan.different = parameters.vesicles.size() - (what.packed > 0 ? what.packed - 1 : 0);
     plan.flow = plan_flow(parameters);
     plan.obstacles = obstacles_of(what);
     plan.expected_speed = std::max(plan.expected_speed, plan.flow.speed);
@@ -98,9 +67,11 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
     judge_flow(parameters, plan, what.run, plan.remarks);
     const Vec3<int> lattice = parameters.lattice();
     judge_memory(parameters, static_cast<double>(lattice.x) * lattice.y * lattice.z, plan.remarks);
-    for (std::size_t vesicle = 0; vesicle < parameters.vesicles.size(); ++vesicle)
+    for (std::size_t vesicle = 0; vesicle < plan.different; ++vesicle)
         judge_vesicle(parameters, vesicle, plan.vesicles[vesicle], what.run, options, plan.remarks);
-    judge_places(parameters, shapes, plan, plan.remarks);
+    if (what.packed > 0)
+        speak_of_suspension(plan.different - 1, plan.remarks);
+    judge_places(what, shapes, plan, plan.remarks);
     judge_schedule(parameters, what.run, what.output, plan.remarks);
 
     for (Remark& remark : plan.remarks)

@@ -27,6 +27,8 @@ struct Plan {
     double expected_speed = 0.0; ///< the fastest of the flow and of the vesicles' own, cells per step
     double mach = 0.0;           ///< expected_speed over the speed of sound
     std::vector<VesiclePlan> vesicles;
+    std::size_t different =
+        0;           ///< of them, the first ones: those that were packed are alike, but for their places
     Remarks remarks; ///< each begins with its place in the case file
 };
 

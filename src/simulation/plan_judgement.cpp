@@ -198,7 +198,7 @@ void judge_flow(const Parameters& parameters, const Plan& plan, const RunParamet
             "which the fluid is compressed; try {:.2g}, or a smaller box",
             strength, plan.flow.speed, plan.flow.speed / (10.0 * fastest),
             strength * 0.9 * fastest / plan.flow.speed);
-    for (std::size_t index = 0; index < plan.vesicles.size(); ++index) {
+    for (std::size_t index = 0; index < plan.different; ++index) {
         const VesicleType& type = parameters.types[parameters.vesicles[index].type];
         const double radius = plan.vesicles[index].radius;
         if (plan.vesicles[index].buoyant_speed > fastest)

@@ -13,10 +13,10 @@ namespace {
 using Severity = Remark::Severity;
 
 /// What to say of two interfaces this far apart. They are one below zero, overlap below 2/beta and feel each
-/// other's stencils below 2/beta + 2.
+/// other's stencils below 2/beta + 2; `accepted`: nothing is said from there on.
 void judge_gap(const std::string& key, const std::string& who, const char* remedy, double gap, double width,
-               Remarks& remarks) {
-    if (gap > width + 2.0)
+               double accepted, Remarks& remarks) {
+    if (gap > accepted)
         return;
     if (gap < 0.0)
         remarks.push_back(
@@ -53,7 +53,7 @@ double gap_to_plane(const Shape& shape, const Vec3<double>& centre, int axis, do
 }
 
 void judge_ends(const Parameters& parameters, std::size_t vesicle, const Shape& shape, double width,
-                Remarks& remarks) {
+                double accepted, Remarks& remarks) {
     const Vec3<double>& centre = parameters.vesicles[vesicle].centre;
     for (int axis = 0; axis < 3; ++axis) {
         if (!parameters.is_bounded(axis))
@@ -64,23 +64,21 @@ void judge_ends(const Parameters& parameters, std::size_t vesicle, const Shape& 
             const std::string who =
                 fmt::format("vesicle[{}] and the box's end at {} = {:g}", vesicle, "xyz"[axis], place);
             const double gap = gap_to_plane(shape, centre, axis, place);
-            judge_gap(key, who, "another centre or a larger box", gap, width, remarks);
-            // A run ends where the layer, down to the cutoff, has come within six cells.
-            const double layer =
-                std::atanh(std::sqrt(1.0 - parameters.numerics.cutoff)) / parameters.fluid.segregation;
-            if (parameters.is_open(axis) && gap < 6.0 + layer && gap >= 0.0)
+            judge_gap(key, who, "another centre or a larger box", gap, width, accepted, remarks);
+            const double least = gap_to_open_ends(parameters);
+            if (parameters.is_open(axis) && gap < least && gap >= 0.0)
                 remarks.push_back(
                     {Severity::error, key,
                      fmt::format("{} are {:.1f} cells apart; expected at least {:.1f}, as inlets and "
                                  "outlets know nothing of membranes; try another centre or a longer box",
-                                 who, gap, 6.0 + layer)});
+                                 who, gap, least)});
         }
     }
 }
 
 /// Images that slide past take every place along the flow: what counts is how near they come across it.
 void judge_sliding_image(const Parameters& parameters, std::size_t vesicle, const Shape& shape, double width,
-                         Remarks& remarks) {
+                         double accepted, Remarks& remarks) {
     const ShearFlow* const flow = parameters.sliding();
     if (flow == nullptr)
         return;
@@ -89,7 +87,7 @@ void judge_sliding_image(const Parameters& parameters, std::size_t vesicle, cons
     const double gap = gap_to_plane(shape, centre, flow->gradient, centre[flow->gradient] + half) +
                        gap_to_plane(shape, centre, flow->gradient, centre[flow->gradient] - half);
     judge_gap("lattice.size", fmt::format("vesicle[{}] and its own image that slides past", vesicle),
-              "a larger lattice.size", gap, width, remarks);
+              "a larger lattice.size", gap, width, accepted, remarks);
 }
 
 /// Solids do not slide: there must be none along the faces of a box that does.
@@ -122,7 +120,7 @@ void judge_slide(const Parameters& parameters, const SolidVoxels& solids, Remark
 /// The smallest distance from a vesicle's surface to the centre of a solid cell, less half a cell; negative
 /// where it reaches into one.
 void judge_obstacles(const Parameters& parameters, const SolidVoxels& solids, std::size_t vesicle,
-                     const Shape& shape, double width, Remarks& remarks) {
+                     const Shape& shape, double width, double accepted, Remarks& remarks) {
     const Vec3<double>& centre = parameters.vesicles[vesicle].centre;
     const double reach = shape.bounding_radius() + width + 3.0;
     // Across periodic edges too.
@@ -147,7 +145,8 @@ void judge_obstacles(const Parameters& parameters, const SolidVoxels& solids, st
                 if (solids.at({home(x, 0), home(y, 1), home(z, 2)}))
                     gap = std::min(gap, shape.signed_distance({x + 0.5, y + 0.5, z + 0.5}) - 0.5);
     judge_gap(fmt::format("vesicle[{}].centre", vesicle),
-              fmt::format("vesicle[{}] and the obstacles", vesicle), "another centre", gap, width, remarks);
+              fmt::format("vesicle[{}] and the obstacles", vesicle), "another centre", gap, width, accepted,
+              remarks);
 }
 
 /// One text of the step serves all membranes.
@@ -167,11 +166,30 @@ void judge_forms(const Parameters& parameters, Remarks& remarks) {
         }
 }
 
+void judge_packing(const SuspensionParameters& suspension, double comfortable, Remarks& remarks) {
+    if (suspension.gap && *suspension.gap < comfortable)
+        remarks.push_back(
+            {Severity::note, "suspension.gap",
+             fmt::format("suspension.gap is {:g}: below 2/beta + 2 = {:.1f} cells interfaces of neighbours "
+                         "overlap from the start, as they do wherever vesicles press together",
+                         *suspension.gap, comfortable)});
+}
+
 } // namespace
 
-void judge_places(const Parameters& parameters, const std::vector<std::unique_ptr<const Shape>>& shapes,
-                  const Plan& plan, Remarks& remarks) {
+void judge_places(const Case& what, const std::vector<std::unique_ptr<const Shape>>& shapes, const Plan& plan,
+                  Remarks& remarks) {
+    const Parameters& parameters = what.parameters;
     const double width = plan.interface_width;
+    const double comfortable = comfortable_gap(parameters.fluid);
+    const std::size_t first_packed = parameters.vesicles.size() - what.packed;
+    const auto accepted_by = [&](std::size_t vesicle) {
+        if (vesicle < first_packed)
+            return comfortable;
+        return std::min(comfortable, what.suspension->gap.value_or(comfortable) - 0.2);
+    };
+    if (what.packed > 0)
+        judge_packing(*what.suspension, comfortable, remarks);
     const double reach = width + 3.0;
     const auto& vesicles = parameters.vesicles;
     judge_forms(parameters, remarks);
@@ -182,6 +200,7 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
     // own, of which the opposite ones are as far.
     for (std::size_t a = 0; a < shapes.size(); ++a) {
         for (std::size_t b = a; b < shapes.size(); ++b) {
+            const double accepted = accepted_by(b);
             double smallest = reach;
             for (int k = -1; k <= 1; ++k)
                 for (int j = -1; j <= 1; ++j)
@@ -199,22 +218,23 @@ void judge_places(const Parameters& parameters, const std::vector<std::unique_pt
                 continue;
             if (a == b)
                 judge_gap("lattice.size", fmt::format("vesicle[{}] and its own periodic image", a),
-                          "a larger lattice.size", smallest, width, remarks);
+                          "a larger lattice.size", smallest, width, accepted, remarks);
             else
                 judge_gap(fmt::format("vesicle[{}].centre", b),
                           fmt::format("vesicle[{}] and vesicle[{}]", a, b), "other centres", smallest, width,
-                          remarks);
+                          accepted, remarks);
         }
     }
     if (plan.obstacles != nullptr)
         judge_slide(parameters, *plan.obstacles, remarks);
     for (std::size_t a = 0; a < shapes.size(); ++a) {
-        judge_ends(parameters, a, *shapes[a], width, remarks);
-        judge_sliding_image(parameters, a, *shapes[a], width, remarks);
+        const double accepted = accepted_by(a);
+        judge_ends(parameters, a, *shapes[a], width, accepted, remarks);
+        judge_sliding_image(parameters, a, *shapes[a], width, accepted, remarks);
         if (plan.obstacles != nullptr)
-            judge_obstacles(parameters, *plan.obstacles, a, *shapes[a], width, remarks);
+            judge_obstacles(parameters, *plan.obstacles, a, *shapes[a], width, accepted, remarks);
     }
-    for (std::size_t a = 0; a < shapes.size(); ++a) {
+    for (std::size_t a = 0; a < plan.different; ++a) {
         const VesiclePlan& vesicle = plan.vesicles[a];
         const double widest = 2.0 * 1.24 * std::sqrt(vesicle.target_area / (4.0 * 3.14159265358979));
         const double edge = 2.0 * vesicle.radius / vesicle.confinement;

@@ -1,6 +1,7 @@
 #include "simulation/plan_text.hpp"
 
 #include "simulation/progress.hpp"
+#include "simulation/suspension.hpp"
 
 #include <fmt/format.h>
 
@@ -188,6 +189,18 @@ void describe_cost(const Case& what, const Plan& plan, const RunCost& cost, int 
     table.text("run time", duration_text(seconds));
 }
 
+void describe_suspension(const Case& what, const Plan& plan, SideBySide& table) {
+    const SuspensionParameters& suspension = *what.suspension;
+    const auto fluid = static_cast<double>(
+        fluid_cells(suspension.region_begin, suspension.region_end, plan.obstacles.get()));
+    double volume = 0.0;
+    for (std::size_t k = plan.vesicles.size() - what.packed; k < plan.vesicles.size(); ++k)
+        volume += plan.vesicles[k].volume;
+    table.heading("suspension");
+    table.text("packed", fmt::format("{} vesicles", what.packed));
+    table.text("haematocrit", fmt::format("{:.4f}", volume / fluid));
+}
+
 void append(std::string& text, const char* heading, const std::vector<std::string>& lines) {
     if (lines.empty())
         return;
@@ -201,12 +214,15 @@ void append(std::string& text, const char* heading, const std::vector<std::strin
 std::string plan_text(const Case& what, const Plan& plan, const std::optional<RunCost>& cost, int threads) {
     SideBySide table(what.scales);
     describe_fluid(what, plan, table);
-    // A suspension's vesicles are alike; a screenful of the first is worth more than a thousand.
+    // A screenful of the first is worth more than a thousand; those that were packed are alike.
     constexpr std::size_t most = 4;
-    for (std::size_t index = 0; index < std::min(plan.vesicles.size(), most); ++index)
+    const std::size_t described = std::min(plan.different, most);
+    for (std::size_t index = 0; index < described; ++index)
         describe_vesicle(what, plan, index, table);
-    if (plan.vesicles.size() > most)
-        table.heading(fmt::format("and {} vesicles more", plan.vesicles.size() - most));
+    if (described < plan.vesicles.size())
+        table.heading(fmt::format("and {} vesicles more", plan.vesicles.size() - described));
+    if (what.packed > 0)
+        describe_suspension(what, plan, table);
     if (cost)
         describe_cost(what, plan, *cost, threads, table);
 
@@ -245,10 +261,7 @@ std::string model_text() {
            "  osmosis                      the volume stays what it is, whatever the pressure\n"
            "  shear elasticity             a red cell's cytoskeleton is missing: its membrane flows in its "
            "plane\n"
-           "  local inextensibility        the whole area is kept, not that of every patch\n"
-           "\n"
-           "Not in this version\n"
-           "  suspensions that are packed by themselves: each vesicle has its own place in the case\n";
+           "  local inextensibility        the whole area is kept, not that of every patch\n";
 }
 
 } // namespace vesica

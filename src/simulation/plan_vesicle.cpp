@@ -113,12 +113,15 @@ double gap_between(const Shape& a, const Vec3<double>& centre_a, const Shape& b,
     }
     for (double z = low.z; z <= high.z; z += 1.0)
         for (double y = low.y; y <= high.y; y += 1.0)
-            for (double x = low.x; x <= high.x; x += 1.0) {
+            for (double x = low.x; x <= high.x;) {
                 const Vec3<double> position{x, y, z};
                 const double from_a = a.signed_distance(position);
-                if (from_a > gap)
+                if (from_a > gap) { // a distance falls by no more than the way gone
+                    x += std::max(1.0, std::floor(std::min(from_a, Shape::reach) - gap));
                     continue;
+                }
                 gap = std::min(gap, from_a + b.signed_distance(position - shift));
+                x += 1.0;
             }
     return gap;
 }

@@ -6,6 +6,7 @@
 #include "simulation/run_account.hpp"
 #include "simulation/run_recorder.hpp"
 #include "simulation/start_state.hpp"
+#include "simulation/suspension.hpp"
 
 #include <fmt/format.h>
 
@@ -237,7 +238,9 @@ int threads_for(const RunOptions& options) {
 
 RunOutcome run_case(const Case& original, const RunOptions& options) {
     const auto begin = Clock::now();
-    Case what = with_absolute_files(original);
+    Case what = original;
+    pack_suspension(what);
+    what = with_absolute_files(what);
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
     if (options.crew != nullptr) // a box that cannot be cut is refused before anything is written

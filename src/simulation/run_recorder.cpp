@@ -107,6 +107,8 @@ RunRecorder::RunRecorder(const Case& what, const OutputDirectory& directory, Run
       checkpoints_(directory / "checkpoints", std::max(1, what.output.checkpoint_keep)) {
     if (what.output.fields)
         fields_.emplace(what, directory.path(), resumed);
+    if (what.output.profiles)
+        profiles_.emplace(what, directory, resumed);
     if (what.output.tracers)
         tracers_.emplace(what, directory, resumed);
 }
@@ -129,6 +131,10 @@ void RunRecorder::record(Event event, const Engine& engine) {
         break;
     case Event::surfaces:
         write_surfaces(engine);
+        break;
+    case Event::profiles:
+        if (profiles_)
+            profiles_->write(engine);
         break;
     case Event::tracers:
         if (tracers_)
@@ -169,6 +175,8 @@ void RunRecorder::write_checkpoint(const Engine& engine) {
     checkpoint.notes = metrics_.notes();
     if (fields_)
         checkpoint.notes.merge(fields_->notes());
+    if (profiles_)
+        profiles_->flush();
     if (tracers_) {
         tracers_->flush();
         checkpoint.notes.merge(tracers_->notes());

@@ -11,6 +11,7 @@
 #include "simulation/run_fields.hpp"
 #include "simulation/run_loop.hpp"
 #include "simulation/run_metrics.hpp"
+#include "simulation/run_profiles.hpp"
 #include "simulation/run_tracers.hpp"
 #include "simulation/stop.hpp"
 
@@ -57,6 +58,7 @@ private:
     MetricsFile metrics_file_;
     std::optional<RunFields> fields_;
     std::optional<SurfaceSeries> surfaces_;
+    std::optional<RunProfiles> profiles_;
     std::optional<RunTracers> tracers_;
     CheckpointStore checkpoints_;
     double seconds_ = 0.0;

@@ -26,6 +26,8 @@ Schedule::Schedule(const OutputParameters& output) {
     set(Event::metrics, output.metrics_every);
     set(Event::surfaces, output.surfaces_every);
     set(Event::checkpoint, output.checkpoint_every);
+    if (output.profiles)
+        set(Event::profiles, output.profiles->every);
     tracers_ = output.tracers;
     if (tracers_)
         set(Event::tracers, tracers_->every);

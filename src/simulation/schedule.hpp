@@ -10,11 +10,11 @@ namespace vesica {
 
 /// What may fall due at a step, in the order in which it is done: the checkpoint comes last, so that whatever
 /// a checkpoint's step owes to the output is on disk before the checkpoint is.
-enum class Event { trouble, sample, metrics, fields, surfaces, tracers, carry, checkpoint };
+enum class Event { trouble, sample, metrics, fields, surfaces, profiles, tracers, carry, checkpoint };
 
-inline constexpr std::array<Event, 8> all_events = {Event::trouble, Event::sample,    Event::metrics,
-                                                    Event::fields,  Event::surfaces,  Event::tracers,
-                                                    Event::carry,   Event::checkpoint};
+inline constexpr std::array<Event, 9> all_events = {Event::trouble, Event::sample,   Event::metrics,
+                                                    Event::fields,  Event::surfaces, Event::profiles,
+                                                    Event::tracers, Event::carry,    Event::checkpoint};
 
 /// When each event falls due: every so many steps, counted from step 0 whatever step a run starts from, so
 /// that two half runs do the same as one whole run.

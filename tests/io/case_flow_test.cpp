@@ -158,3 +158,15 @@ TEST_CASE("flows that do not fit together are refused with the remedy") {
         CHECK(message.find(part) != std::string::npos);
     }
 }
+
+TEST_CASE("profiles are asked for across another axis than the flow's") {
+    CHECK(with({"output.profiles={ every = 100, across = \"z\" }"}) == "accepted");
+    const Case radial = read_with({"output.profiles={ every = 100, across = \"radius\", along = \"y\" }"});
+    CHECK(radial.output.profiles == ProfileOutput{100, 1, -1});
+    CHECK(read_case_text(resolved_toml(radial), "again").output == radial.output);
+    CHECK_FALSE(read_with({"output.profiles={ every = 0, across = \"z\" }"}).output.profiles);
+    CHECK(with({"output.profiles={ every = 100, across = \"x\" }"})
+              .find("output.profiles.across is \"x\"; expected another axis than output.profiles.along; try "
+                    "across "
+                    "= \"z\"") != std::string::npos);
+}

@@ -140,7 +140,7 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
          "fluid.kinematic_viscosity"},
         {"[lattice]", "[latice]",
          "case.toml:3:2: latice is not a known key; expected title, lattice, fluid, "
-         "boundary, obstacles, flow, vesicle, initial, numerics, run, output, tracers, units or "
+         "boundary, obstacles, flow, vesicle, suspension, initial, numerics, run, output, tracers, units or "
          "vesicle_type; try "
          "lattice"},
         {"radius = 15", "rad = 15",
@@ -169,10 +169,6 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
 
 TEST_CASE("what is not available yet is refused and says so") {
     check_messages({
-        {"[numerics]", "[suspension]\n[numerics]",
-         "case.toml:39:2: suspension is not available yet (packing many vesicles); expected a [[vesicle]] "
-         "for "
-         "each; try removing it"},
         {"device = \"cpu\"", "device = \"cuda\"",
          "case.toml:43:10: numerics.device is \"cuda\"; that is not available yet; expected \"cpu\" or "
          "\"auto\"; try device = \"cpu\""},
