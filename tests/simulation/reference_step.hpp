@@ -272,30 +272,22 @@ private:
             sum += 6.0 * w_[i] * (q[neighbour_[c][i]] - q[c]);
         return sum;
     }
-    /// [i][j] = d_j v_i
-    Matrix jacobian(const Vectors& v, std::size_t c) const {
-        Matrix d{};
-        for (int i = 1; i < direction_count; ++i)
-            for (int a = 0; a < 3; ++a)
-                for (int b = 0; b < 3; ++b)
-                    d[a][b] += 3.0 * w_[i] * c_[i][b] * v[neighbour_[c][i]][a];
-        return d;
-    }
-
-    /// Of normals: those that point away from n count the other way round, and one that is missing as n.
-    Matrix jacobian_of_normals(const Vectors& v, std::size_t c) const {
+    /// [i][j] = d_j v_i. Of normals: those that point away from the one here count the other way round, and
+    /// one that is missing as the one here.
+    Matrix jacobian(const Vectors& v, std::size_t c, bool of_normals = false) const {
         Matrix d{};
         for (int i = 1; i < direction_count; ++i) {
-            Vector there = v[neighbour_[c][i]];
-            const double along = there[0] * v[c][0] + there[1] * v[c][1] + there[2] * v[c][2];
-            for (int a = 0; a < 3; ++a) {
-                there[a] = along > 0.0 ? there[a] : along < 0.0 ? -there[a] : v[c][a];
+            const Vector& there = v[neighbour_[c][i]];
+            const double along = dot(there, v[c]);
+            const double sign = !of_normals || along > 0.0 ? 1.0 : -1.0;
+            const Vector& counted = of_normals && along == 0.0 ? v[c] : there;
+            for (int a = 0; a < 3; ++a)
                 for (int b = 0; b < 3; ++b)
-                    d[a][b] += 3.0 * w_[i] * c_[i][b] * there[a];
-            }
+                    d[a][b] += 3.0 * w_[i] * c_[i][b] * (along == 0.0 ? 1.0 : sign) * counted[a];
         }
         return d;
     }
+    static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
     /// W = P G P for a unit normal n.
     static Matrix projected(const Matrix& G, const Vector& n) {
@@ -314,7 +306,7 @@ private:
         Vectors n(cells_);
         within(reach::colour, [&](std::size_t c) {
             n[c] = gradient(sharp, c);
-            const double length = std::sqrt(n[c][0] * n[c][0] + n[c][1] * n[c][1] + n[c][2] * n[c][2]);
+            const double length = std::sqrt(dot(n[c], n[c]));
             for (int a = 0; a < 3; ++a) {
                 n[c][a] /= std::max(length, 1e-300);
                 flux_[c][a] = 0.25 * constants_.beta * density_[c] * layer(c) * n[c][a];
@@ -326,13 +318,12 @@ private:
         Scalars K0(cells_, 0.0);
         Scalars J(cells_, 1.0);
         within(4, [&](std::size_t c) {
-            const Matrix G = jacobian_of_normals(n, c);
+            const Matrix G = jacobian(n, c, true);
             const Matrix W = projected(G, n[c]);
             const double trace = W[0][0] + W[1][1] + W[2][2];
             double square = 0.0;
             for (int a = 0; a < 3; ++a)
-                for (int b = 0; b < 3; ++b)
-                    square += W[a][b] * W[b][a];
+                square += W[a][0] * W[0][a] + W[a][1] * W[1][a] + W[a][2] * W[2][a];
             const double divergence = G[0][0] + G[1][1] + G[2][2];
             const double plain = 0.5 * (trace * trace - square);
             const double restored = 1.0 + (divergence * divergence - 2.0 * plain) / 6.0;
@@ -355,18 +346,14 @@ private:
             const double H = J[c] * (raw[c] + s_[c] * K0[c]); // the cell's own
             const double spherical = 1.0 - 2.0 * s_[c] * H;
             const auto tangential = [&](Vector v) {
-                const double normal = v[0] * n[c][0] + v[1] * n[c][1] + v[2] * n[c][2];
+                const double normal = dot(v, n[c]);
                 for (int a = 0; a < 3; ++a)
                     v[a] -= normal * n[c][a];
                 return v;
             };
             Vector v = tangential(gradient(sharp_H, c));
             for (int twice = 0; twice < 2; ++twice) {
-                Vector Wv{};
-                for (int a = 0; a < 3; ++a)
-                    for (int b = 0; b < 3; ++b)
-                        Wv[a] += G[a][b] * v[b];
-                Wv = tangential(Wv);
+                const Vector Wv = tangential({dot(G[0], v), dot(G[1], v), dot(G[2], v)});
                 for (int a = 0; a < 3; ++a)
                     v[a] = spherical * v[a] + s_[c] * Wv[a];
             }
@@ -375,13 +362,11 @@ private:
         });
         within(1, [&](std::size_t c) {
             const Matrix d = jacobian(g, c);
-            double divergence = 0.0;
+            double divergence = d[0][0] + d[1][1] + d[2][2];
             for (int a = 0; a < 3; ++a)
-                for (int b = 0; b < 3; ++b)
-                    divergence += ((a == b) - n[c][a] * n[c][b]) * d[a][b];
+                divergence -= n[c][a] * dot(d[a], n[c]);
             const double H = H0[c];
-            const double bending =
-                constants_.kappa * (2.0 * divergence / J[c] + 2.0 * H * (2.0 * H * H - 2.0 * K0[c]));
+            const double bending = constants_.kappa * (2.0 * divergence / J[c] + 4.0 * H * (H * H - K0[c]));
             const double normal_force = bending - 2.0 * constants_.sigma * H;
             const Vector slope = gradient(psi_, c);
             for (int a = 0; a < 3; ++a)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = os.environ.get("VESICA_BUILD_DIR", str(ROOT / "build" / "release"))
-ITEMS = ("numerics", "drops", "rest_shapes", "spontaneous_curvature", "channel_flow")  # the others' take longer
+ITEMS = ("numerics", "drops", "rest_shapes", "spontaneous_curvature", "channel_flow", "dilute_emulsion")  # the others' take longer
 
 
 class QuickSubset(unittest.TestCase):

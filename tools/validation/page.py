@@ -9,7 +9,7 @@ from validation.results import number
 ROOT = Path(__file__).resolve().parents[2]
 ORDER = ("numerics", "drops", "rest_shapes", "stability", "quasi_spherical", "spontaneous_curvature", "paper_formulas",
          "accuracy", "channel_flow", "viscosity_contrast", "drop_in_shear", "sliding_box", "settling_drop", "tank_treading", "tumbling", "migration",
-         "sheared_discocyte")  # fmt: skip
+         "sheared_discocyte", "pair_passing", "film_drainage", "pair_in_shear", "sedimenting_pair", "dilute_emulsion")  # fmt: skip
 SIGNS = {"met": "met", "missed": "**missed**", "reported": ""}
 
 
