@@ -21,12 +21,12 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
     });
     add_kernel<Real>("geometry/normals", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
         using V = typename Tiles::V;
-        t.store(unit_vector(gradient<V>(around(here.fields.sharp, t))), here.fields.w);
+        t.store(normal_of_distance(gradient<V>(around(here.fields.sharp, t))), here.fields.w);
     });
     add_kernel<Real>("geometry/curvatures", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
         using V = typename Tiles::V;
-        const Jacobian<V> G = jacobian<V>(around(here.fields.n, t));
-        const Curvatures<V> c = curvatures_of(G, t.load(here.fields.n));
+        const Vec3<V> n = t.load(here.fields.n);
+        const Curvatures<V> c = curvatures_of(jacobian_of_normals(around(here.fields.n, t), n), n);
         const Curvatures<V> surface = map_to_mid_surface(c, t.load(here.fields.s));
         t.store(surface.H, here.fields.psi);
         t.store(surface.K, here.fields.K0);
@@ -46,7 +46,9 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
                          const Vec3<V> g = tangential(gradient<V>(around(here.fields.raw_H0, t)), n);
                          const Jacobian<V> G = jacobian<V>(around(here.fields.n, t));
                          const V s = t.load(here.fields.s);
-                         t.store(flux_on_mid_surface(g, G, n, s, t.load(here.fields.J)), here.fields.w);
+                         const V J = t.load(here.fields.J);
+                         const V H = J * fma(s, t.load(here.fields.K0), t.load(here.fields.raw_H0));
+                         t.store(flux_on_mid_surface(g, G, n, s, H, J), here.fields.w);
                      });
     add_kernel<Real>("geometry/laplace_beltrami", isa_name, size,
                      []<class Tiles>(Here& here, const Tiles& t) {

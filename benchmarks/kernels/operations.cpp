@@ -139,10 +139,10 @@ void report_all() {
     report("normal and segregation flux",
            [&] { segregation_flux(Number(0.3), Number(1), unit_vector(gradient<Number>(Around{})), 0.67); });
     report("curvatures mapped to the surface",
-           [&] { map_to_mid_surface(curvatures_of(jacobian<Number>(field), v), Number(0.5)); });
+           [&] { map_to_mid_surface(curvatures_of(jacobian_of_normals(field, v), v), Number(0.5)); });
     report("surface gradient of H mapped to the surface", [&] {
         flux_on_mid_surface(tangential(gradient<Number>(Around{}), v), jacobian<Number>(field), v,
-                            Number(0.5), Number(1.1));
+                            Number(0.5), Number(0.1), Number(1.1));
     });
     report("Laplace-Beltrami, bending, tension, force", [&] {
         const Number laplacian = surface_divergence(jacobian<Number>(field), v) / Number(1.1);
