@@ -36,7 +36,7 @@ struct InitialColours::Row {
         double reach; ///< half the row's length within reach of the bounding sphere, squared
     };
     std::vector<Near> images;
-    double far;
+    double far = 0.0;
 };
 
 std::vector<InitialColours::Placed> InitialColours::shapes_near_plane(int z, double far) const {
@@ -52,8 +52,9 @@ std::vector<InitialColours::Placed> InitialColours::shapes_near_plane(int z, dou
     return near;
 }
 
-InitialColours::Row InitialColours::row_near(std::span<const Placed> shapes, int y, int z, double far) const {
-    Row row{{}, far};
+void InitialColours::find_near(std::span<const Placed> shapes, int y, int z, double far, Row& row) const {
+    row.images.clear();
+    row.far = far;
     for (const Placed& placed : shapes) {
         const double reach = squared(placed.shape->bounding_radius() + far);
         for (const double from_y : offsets(y + 0.5, placed.centre.y, block_.box.y).way)
@@ -61,7 +62,6 @@ InitialColours::Row InitialColours::row_near(std::span<const Placed> shapes, int
                 if (const double left = reach - squared(from_y) - squared(from_z); left > 0.0)
                     row.images.push_back({&placed, from_y, from_z, left});
     }
-    return row;
 }
 
 double InitialColours::distance(const Row& row, std::size_t first_image, std::size_t last_image,
@@ -117,8 +117,9 @@ InitialColours::InitialColours(const Block& block, std::vector<Placed> shapes, d
     for_each_index(size.z, threads, [&](std::int64_t plane) {
         const int z = static_cast<int>(plane);
         const std::vector<Placed> near = shapes_near_plane(begin.z + z, core_reach + 1.0);
+        Row row;
         for (int y = 0; y < size.y; ++y) {
-            const Row row = row_near(near, begin.y + y, begin.z + z, core_reach + 1.0);
+            find_near(near, begin.y + y, begin.z + z, core_reach + 1.0, row);
             for (int x0 = 0; x0 < size.x && !row.images.empty(); x0 += Grid::tile) {
                 const std::int64_t tile = grid_.index(x0, y, z) / Grid::tile;
                 const unsigned all = grid_.interior_bits({x0, y, z});
@@ -152,8 +153,9 @@ double InitialColours::chi_at(std::int64_t index, int label) const {
     cell.x += static_cast<int>(index % Grid::tile);
     const auto shapes = std::equal_range(shapes_.begin(), shapes_.end(), Placed{nullptr, {}, label},
                                          [](const Placed& a, const Placed& b) { return a.label < b.label; });
-    // To where the layer has long died away.
-    const Row row = row_near(std::span(shapes.first, shapes.second), cell.y, cell.z, 40.0 / beta_);
+    // To where the layer has long died away: 1e-21.
+    thread_local Row row;
+    find_near(std::span(shapes.first, shapes.second), cell.y, cell.z, 24.0 / beta_, row);
     const double s = distance(row, 0, row.images.size(), cell.x);
     // (1 - tanh(beta |s|))/2 = 1/(1 + exp(2 beta |s|)) keeps its digits in the tail.
     return with_sign_bit(s < 0.0, 1.0 / (1.0 + std::exp(2.0 * beta_ * std::abs(s))));

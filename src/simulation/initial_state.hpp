@@ -37,7 +37,7 @@ private:
     struct Row;
 
     /// The images of these shapes that come within `far` of a row of cells, by its place in the whole box.
-    Row row_near(std::span<const Placed> shapes, int y, int z, double far) const;
+    void find_near(std::span<const Placed> shapes, int y, int z, double far, Row& row) const;
     std::vector<Placed> shapes_near_plane(int z, double far) const;
     /// From the nearest surface of the row's images from the first to the one before the last; `far` where
     /// that is farther.
