@@ -2,7 +2,6 @@
 
 #include "case/parameters.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 

@@ -3,8 +3,6 @@
 #include "io/case_build_region.hpp"
 #include "io/case_build_vesicle.hpp"
 
-#include <fmt/format.h>
-
 namespace vesica {
 
 std::optional<SuspensionParameters> build_suspension(const CaseValues& values, const Parameters& parameters,

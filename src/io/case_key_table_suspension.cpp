@@ -56,7 +56,7 @@ std::vector<CaseKey> suspension_keys() {
          .example = "40",
          .need = Need::one_of,
          .group = "how many they are",
-         .range = {.low = 1.0, .high = 100000.0}},
+         .range = {.low = 1.0, .high = 4000.0}},
         {.path = "suspension.orientation",
          .kind = KeyKind::choice,
          .meaning = "of their axes: all directions alike, turned where that makes room; all along `axis`; or "

@@ -114,6 +114,10 @@ private:
     template <class Phase>
     static void add_first_crossing(int points, double step, const Phase& phase_at, double& sum,
                                    std::int64_t& count) {
+        if (points > 0 && phase_at(0) > 0.0) { // a membrane touches the wall
+            ++count;
+            return;
+        }
         for (int k = 1; k < points; ++k) {
             const double before = phase_at(k - 1);
             const double here = phase_at(k);

@@ -19,13 +19,11 @@ DistanceTable::DistanceTable(const Shape& shape, double margin)
                     {i * spacing_ - half_, j * spacing_ - half_, k * spacing_ - half_}));
 }
 
-bool DistanceTable::contains(const Vec3<double>& position) const {
-    return std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)}) < half_;
-}
-
 DistanceValue DistanceTable::at(const Vec3<double>& position) const {
-    return trilinear((1.0 / spacing_) * (position + Vec3<double>{half_, half_, half_}),
-                     [&](const Vec3<int>& k) { return node(k); });
+    Vec3<double> place = (1.0 / spacing_) * (position + Vec3<double>{half_, half_, half_});
+    for (int a = 0; a < 3; ++a)
+        place[a] = std::clamp(place[a], 0.0, nodes_ - 1.001);
+    return trilinear(place, [&](const Vec3<int>& k) { return node(k); });
 }
 
 std::vector<InnerPoint> DistanceTable::points(double spacing) const {

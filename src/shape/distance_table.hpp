@@ -21,9 +21,8 @@ public:
     /// Up to `margin` cells beyond the shape's bounding sphere.
     DistanceTable(const Shape& shape, double margin);
 
-    /// Within the table.
+    /// Beyond the table as at its edge.
     DistanceValue at(const Vec3<double>& position) const;
-    bool contains(const Vec3<double>& position) const;
 
     /// Points on the shape's surface, about `spacing` cells apart, and one well inside, from which it is told
     /// which way out is.

@@ -1,7 +1,5 @@
 #include "shape/packing.hpp"
 
-#include "shape/random_numbers.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +14,7 @@ constexpr double slack = 0.3;      ///< and while bodies grow
 constexpr double fastest_growth = 0.01;
 constexpr double momentum = 0.5; ///< of a round's displacement that goes on into the next
 constexpr int patience = 300;    ///< rounds without progress before everything is shaken
-constexpr int most_shakes = 5;
+constexpr int most_shakes = 6;
 
 struct Kind {
     DistanceTable table;
@@ -66,7 +64,7 @@ public:
                 {&kinds_[body.kind], body.centre, body.axis, Frame::along(body.axis), 1.0, false});
         const Kind& kind = kinds_[task.kind];
         for (std::size_t k = 0; k < task.count; ++k) {
-            const Vec3<double> axis = task.first_axis();
+            const Vec3<double> axis = task.first_axis(random_);
             bodies_.push_back({&kind, random_place(), axis, Frame::along(axis), 1.0, true});
         }
     }
@@ -80,13 +78,14 @@ public:
         int shakes = 0;
         while (true) {
             fine_ = scale >= 1.0;
-            const double deepest = settle(scale);
+            const double deepest = press_all(scale);
             if (deepest < slack)
                 done = std::max(done, std::min(scale, 0.999));
             if (fine_ && deepest < tolerance) {
                 done = 1.0;
                 break;
             }
+            make_room();
             scale = std::min(1.0, scale * (1.0 + fastest_growth * std::max(0.0, 1.0 - deepest / slack)));
             if (scale > 1.01 * milestone || (fine_ && deepest < 0.9 * least)) {
                 milestone = std::max(milestone, scale);
@@ -95,6 +94,10 @@ public:
             } else if (++waiting > patience) {
                 if (++shakes > most_shakes)
                     break;
+                if (done == 0.0) { // too large to begin with
+                    scale *= 0.8;
+                    milestone = scale;
+                }
                 shake();
                 waiting = 0;
             }
@@ -129,8 +132,8 @@ private:
         return std::min(1.0, 0.25 * std::cbrt(each) / (radius + 0.5 * task_.gap));
     }
 
-    /// One round of pushing apart; returns how far the worst pair falls short of its gap, in cells.
-    double settle(double scale) {
+    /// What pushes each body this round; returns how far the worst pair falls short of its gap, in cells.
+    double press_all(double scale) {
         for (Body& body : bodies_) {
             if (body.moves)
                 body.scale = scale;
@@ -146,10 +149,13 @@ private:
                 if (bodies_[a].moves || bodies_[b].moves)
                     deepest = std::max(deepest, press(bodies_[a], bodies_[b], gap));
         }
+        return std::max(0.0, deepest - tolerance);
+    }
+
+    void make_room() {
         for (Body& body : bodies_)
             if (body.moves)
                 make_room(body);
-        return std::max(0.0, deepest - tolerance);
     }
 
     void make_room(Body& body) const {
@@ -157,7 +163,7 @@ private:
         body.moved = momentum * body.moved + (0.6 * share) * body.push;
         body.centre = body.centre + body.moved;
         for (int a = 0; a < 3; ++a)
-            if (task_.periodic[static_cast<std::size_t>(a)])
+            if (!bounded(a))
                 body.centre[a] -= task_.size[a] * std::floor(body.centre[a] / task_.size[a]);
         if (!task_.turning)
             return;

@@ -3,6 +3,7 @@
 #include "core/vec3.hpp"
 #include "shape/distance_table.hpp"
 #include "shape/placed_shape.hpp"
+#include "shape/random_numbers.hpp"
 #include "shape/solid_distance.hpp"
 
 #include <array>
@@ -10,14 +11,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace vesica {
 
 /// One body of a packing: a rigid shape somewhere, its z along an axis.
 struct PackedBody {
-    std::size_t kind = 0; ///< index into Packing::kinds
+    std::size_t kind = 0; ///< index into PackingTask::kinds
     Vec3<double> centre{};
     Vec3<double> axis{0.0, 0.0, 1.0};
 };
@@ -39,7 +39,7 @@ struct PackingTask {
     double gap = 0.0;    ///< between any two surfaces
     bool turning = true; ///< whether bodies may be turned to make room
     /// The axis of a body before it makes room.
-    std::function<Vec3<double>()> first_axis;
+    std::function<Vec3<double>(RandomNumbers&)> first_axis;
     std::uint64_t seed = 1;
 };
 

@@ -9,7 +9,7 @@
 
 namespace vesica {
 
-/// Seeded random numbers, the same with every compiler and library.
+/// Seeded random numbers: uniform ones the same everywhere, the others as far as the mathematical library is.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}

@@ -31,8 +31,7 @@ public:
             return static_cast<std::size_t>(k);
         };
         const auto meeting = [&](int p, int q) {
-            return ((double{f[at(p)]} + double{1.0} * p * p) - (double{f[at(q)]} + double{1.0} * q * q)) /
-                   (2.0 * (p - q));
+            return ((double{f[at(p)]} + 1.0 * p * p) - (double{f[at(q)]} + 1.0 * q * q)) / (2.0 * (p - q));
         };
         for (int p = 1; p < n; ++p) {
             double s = meeting(p, vertex_[at(last)]);
@@ -51,7 +50,7 @@ public:
             while (from_[at(k) + 1] < p)
                 ++k;
             const int q = vertex_[at(k)];
-            result_[at(p)] = static_cast<float>((p - q) * (p - q)) + f[at(q)];
+            result_[at(p)] = static_cast<float>(1.0 * (p - q) * (p - q)) + f[at(q)];
         }
         f.swap(result_);
     }

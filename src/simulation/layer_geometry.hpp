@@ -49,6 +49,8 @@ void Layer<Real>::part_shared_colours(int threads) {
             if (tile_of(k) == nullptr || tile_of(k)->bits[reach::colour] == 0)
                 continue;
             const TileRun<Real> own{tile_of(k)};
+            // None on a kink of the distance, where a cell is pure enough for what parts it to be next to
+            // nothing.
             const Vec3<V> n = own.load(fields_.n);
             V others = V(0);
             Vec3<V> parted{V(0), V(0), V(0)};

@@ -69,9 +69,9 @@ Plan make_plan(const Case& what, const PlanOptions& options) {
     judge_memory(parameters, static_cast<double>(lattice.x) * lattice.y * lattice.z, plan.remarks);
     for (std::size_t vesicle = 0; vesicle < plan.different; ++vesicle)
         judge_vesicle(parameters, vesicle, plan.vesicles[vesicle], what.run, options, plan.remarks);
+    judge_places(what, shapes, plan, plan.remarks);
     if (what.packed > 0)
         speak_of_suspension(plan.different - 1, plan.remarks);
-    judge_places(what, shapes, plan, plan.remarks);
     judge_schedule(parameters, what.run, what.output, plan.remarks);
 
     for (Remark& remark : plan.remarks)

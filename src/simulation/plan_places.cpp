@@ -186,7 +186,7 @@ void judge_places(const Case& what, const std::vector<std::unique_ptr<const Shap
     const auto accepted_by = [&](std::size_t vesicle) {
         if (vesicle < first_packed)
             return comfortable;
-        return std::min(comfortable, what.suspension->gap.value_or(comfortable) - 0.2);
+        return std::max(0.0, std::min(comfortable, what.suspension->gap.value_or(comfortable)) - 0.2);
     };
     if (what.packed > 0)
         judge_packing(*what.suspension, comfortable, remarks);
@@ -221,7 +221,8 @@ void judge_places(const Case& what, const std::vector<std::unique_ptr<const Shap
                           "a larger lattice.size", smallest, width, accepted, remarks);
             else
                 judge_gap(fmt::format("vesicle[{}].centre", b),
-                          fmt::format("vesicle[{}] and vesicle[{}]", a, b), "other centres", smallest, width,
+                          fmt::format("vesicle[{}] and vesicle[{}]", a, b),
+                          b >= first_packed ? "another suspension.seed" : "other centres", smallest, width,
                           accepted, remarks);
         }
     }

@@ -35,8 +35,6 @@ RunProfiles::RunProfiles(const Case& what, const OutputDirectory& directory,
 void RunProfiles::write(const Engine& engine) {
     const DenseField phase = engine.field("phase");
     const DenseField velocity = engine.field("velocity");
-    if (phase.values.empty()) // of another rank's box
-        return;
     const auto step = static_cast<double>(engine.steps_done());
     const SuspensionProfile profile =
         suspension_profile(phase, velocity, solids_.get(), output_, walls_across_);

@@ -133,8 +133,7 @@ void RunRecorder::record(Event event, const Engine& engine) {
         write_surfaces(engine);
         break;
     case Event::profiles:
-        if (profiles_)
-            profiles_->write(engine);
+        profiles_->write(engine);
         break;
     case Event::tracers:
         if (tracers_)

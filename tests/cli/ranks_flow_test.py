@@ -7,7 +7,7 @@ from tests.cli.ranks_test import CASE, STEPS, Ranks
 
 class Flows(Ranks):
     def test_every_file_is_the_same_on_any_ranks_and_after_a_pause(self):
-        tracers = "[output.profiles]\nevery = 20\nacross = \"z\"\n[tracers]\nevery = 10\nrelease = 20\nmembrane = 5\n[[tracers.seeds]]\nfrom = [2, 3, 1]\nto = [20, 30, 39]\ncount = 4\n"
+        tracers = "[output.profiles]\nevery = 20\nacross = \"y\"\n[tracers]\nevery = 10\nrelease = 20\nmembrane = 5\n[[tracers.seeds]]\nfrom = [2, 3, 1]\nto = [20, 30, 39]\ncount = 4\n"
         flows = {
             "sliding": '[flow.shear]\nrate = 2e-3\nvelocity = "x"\ngradient = "z"\nwith = "lees-edwards"\n',  # through the vesicle
             "channel": '[boundary.y]\nlower = { type = "wall" }\nupper = { type = "wall", velocity = [0, 0, 0.02], ramp = 30 }\n'
@@ -17,7 +17,8 @@ class Flows(Ranks):
             self.case.write_text(CASE + tracers + flow)
             self.run_on(0, name)
             expected = self.outputs(name)
-            self.assertIn("tracers.csv", expected)
+            for table in ("tracers.csv", "profiles.csv", "suspension.csv"):
+                self.assertIn(table, expected)
             rows = (self.directory / name / "tracers.csv").read_text().splitlines()
             self.assertEqual([rows[-1].split(",")[k] for k in (0, 2, 4)], [str(STEPS), "20", str(STEPS)])
             for counts in ((2, 4), (3, 8)):

@@ -97,3 +97,14 @@ TEST_CASE("a core in a tube: only its fluid counts, by the distance from the mid
     CHECK(profile.cell_free_layer == Approx(wall - core).margin(0.3));
     CHECK(std::isnan(profile.bins.back().inner_velocity));
 }
+
+TEST_CASE("a vesicle that touches a wall leaves no free layer there") {
+    const auto phase = [](const Vec3<double>& x) {
+        return x.z < 4.0 || (x.z > 7.0 && x.z < 9.0) ? 1.0 : -1.0;
+    };
+    const Fields f = fields(
+        {2, 2, 12}, phase, [](const Vec3<double>&) { return 0.0; }, 0);
+    const SuspensionProfile profile = suspension_profile(f.phase, f.velocity, nullptr, {1, 0, 2}, true);
+    CHECK(profile.cell_free_layer == Approx(0.5 * (0.0 + 3.0)));
+    CHECK(std::isnan(profile.discharge_haematocrit)); // nothing flows
+}
