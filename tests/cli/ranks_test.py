@@ -157,7 +157,7 @@ class Report(Ranks):
                 self.assertEqual(parallel["population_messages_per_step"], 2)
                 with h5py.File(self.directory / target / f"checkpoints/step_{last:09}.h5") as checkpoint:
                     band = (checkpoint["band"][...].reshape(40, y, x) & 1) == 1
-                for _ in range(9):
+                for _ in range(8):
                     band = grown(band)
                 # Both sides of both faces; along x and y each plane has ghosts of its own, which stand for its ends.
                 cells = sum(int(np.pad(band[plane], 1, mode="wrap").sum()) for plane in (0, 19, 20, 39))

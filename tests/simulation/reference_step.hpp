@@ -87,6 +87,7 @@ private:
         const T* begin() const { return values; }
         const T* end() const { return values + count; }
     };
+    static constexpr int outermost = reach::receiving + 1;
     using Vector = List<double, 3>;
     using Matrix = List<Vector, 3>;
     using Populations = List<double, direction_count>;
@@ -119,18 +120,18 @@ private:
     /// Links from the nearest cell of the core; ten beyond nine.
     void lay_out(const std::vector<bool>& core) {
         ++layouts_;
-        level_.assign(cells_, 10);
+        level_.assign(cells_, outermost + 1);
         for (std::size_t c = 0; c < cells_; ++c)
             if (core[c])
                 level_[c] = 0;
-        for (int level = 0; level < 9; ++level)
+        for (int level = 0; level < outermost; ++level)
             for (std::size_t c = 0; c < cells_; ++c)
                 if (level_[c] == level)
                     for (const std::size_t next : neighbour_[c])
                         level_[next] = std::min(level_[next], level + 1);
         all_.clear();
         for (std::size_t c = 0; c < cells_; ++c)
-            if (level_[c] <= 9)
+            if (level_[c] <= outermost)
                 all_.push_back(c);
         core_ = core;
         force_.assign(cells_, {});
@@ -206,7 +207,7 @@ private:
             }
             const bool blue_is_minor = blues < reds;
             const double minor = std::min(reds, blues);
-            const double stays = level_[c] <= 7 ? std::max(minor, 0.0) : 0.0;
+            const double stays = level_[c] <= reach::colour ? std::max(minor, 0.0) : 0.0;
             leaked_ += (blue_is_minor ? -1.0 : 1.0) * (minor - stays);
             (blue_is_minor ? blue : red)[c] = stays / density_[c];
             (blue_is_minor ? red : blue)[c] = 1.0 - stays / density_[c];
@@ -240,7 +241,7 @@ private:
             s_[c] = (inside ? -1.0 : 1.0) * std::log((1.0 - minor) / minor) / (2.0 * constants_.beta);
             const double x = std::clamp((red_[c] - blue_[c]) / std::sqrt(1.0 - constants_.cutoff), -1.0, 1.0);
             psi_[c] = 0.5 * (3.0 * x - x * x * x);
-            core_[c] = level_[c] <= 7 && layer(c) > constants_.cutoff;
+            core_[c] = level_[c] <= reach::colour && layer(c) > constants_.cutoff;
         }
     }
 
@@ -250,7 +251,7 @@ private:
         const std::vector<bool> core = core_;
         lay_out(core);
         for (std::size_t c = 0; c < cells_; ++c)
-            if (old_level[c] <= 7 && level_[c] > 7) {
+            if (old_level[c] <= reach::colour && level_[c] > reach::colour) {
                 const bool inside = blue_[c] < red_[c];
                 leaked_ += density_[c] * (inside ? -blue_[c] : red_[c]);
                 red_[c] = inside ? 1.0 : 0.0;
