@@ -48,7 +48,7 @@ def judge(results, run, case):
     first, _ = both(run)
     along, across = separation(run, "x"), separation(run, "z")
     if case is WHOLE:
-        results.at_most("second's place ahead of the first along x at the end, cells, at the start 52", conditions,
+        results.at_most("second's place ahead of the first along x at the end, cells, at the start 40", conditions,
                         along[-1], 0.0)  # fmt: skip
         abreast = int(numpy.argmax(along <= 0.0))
         results.report("step at which they are abreast", conditions, first["step"][abreast] if along[-1] < 0 else float("nan"))
