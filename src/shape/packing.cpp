@@ -10,7 +10,8 @@ namespace vesica {
 namespace {
 
 constexpr double tolerance = 0.05; ///< cells that a gap may fall short by in the end
-constexpr double slack = 0.3;      ///< and while bodies grow
+constexpr double margin = 0.2; ///< cells more than asked for: points on a surface miss what lies between them
+constexpr double slack = 0.3;  ///< and while bodies grow
 constexpr double fastest_growth = 0.01;
 constexpr double momentum = 0.5; ///< of a round's displacement that goes on into the next
 constexpr int patience = 300;    ///< rounds without progress before everything is shaken
@@ -140,7 +141,7 @@ private:
             body.depth = 0.0;
             body.push = body.turn = {};
         }
-        const double gap = task_.gap * scale + tolerance;
+        const double gap = task_.gap * scale + margin;
         double deepest = 0.0;
         for (std::size_t a = 0; a < bodies_.size(); ++a) {
             if (bodies_[a].moves)
@@ -262,7 +263,7 @@ private:
             for (int axis = 0; near_plane && axis < 3; ++axis) {
                 if (!bounded(axis))
                     continue;
-                const double gap = task_.end_gaps[axis] * scale + tolerance + depth;
+                const double gap = task_.end_gaps[axis] * scale + margin + depth;
                 Vec3<double> up{};
                 up[axis] = 1.0;
                 push(place, up, gap - (place[axis] - task_.begin[axis]));
@@ -270,7 +271,7 @@ private:
             }
             if (near_solid) {
                 const DistanceValue solid = task_.solids->at(place);
-                push(place, solid.gradient, task_.gap * scale + tolerance + depth - solid.distance);
+                push(place, solid.gradient, task_.gap * scale + margin + depth - solid.distance);
             }
         }
         return deepest;

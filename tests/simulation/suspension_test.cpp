@@ -107,7 +107,7 @@ TEST_CASE("suspensions that cannot be are refused, and say what could") {
           "258048 "
           "cells of fluid; expected at least 0.00831; try that, or count = 1");
     CHECK(refusal(spheroids + "count = 100") ==
-          "case.toml:14:9: suspension.count is 100: 100 vesicles, 83 % of the fluid; expected at most 20000 "
+          "case.toml:14:9: suspension.count is 100: 100 vesicles, 83 % of the fluid; expected at most 4000 "
           "and "
           "74 %, which no packing of spheres exceeds; try a haematocrit of 0.3");
     const std::string full = refusal(spheroids + "haematocrit = 0.6");
