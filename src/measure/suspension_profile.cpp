@@ -190,7 +190,7 @@ SuspensionProfile suspension_profile(const DenseField& phase, const DenseField& 
     profile.haematocrit = all.inside / cells;
     profile.velocity = all.velocity / cells;
     profile.discharge_haematocrit =
-        std::abs(all.velocity) > 1e-12 * cells ? all.inner_velocity / all.velocity : nothing;
+        std::abs(all.velocity) > 1e-9 * cells ? all.inner_velocity / all.velocity : nothing;
     profile.cell_free_layer = across.radial() ? across.free_layer_of_tube()
                               : walls_across  ? across.free_layer_of_walls()
                                               : nothing;
