@@ -8,7 +8,6 @@ namespace {
 
 constexpr KeyRange positive{.low = 0.0, .low_open = true};
 constexpr KeyRange relaxation_rate{.low = 0.0, .high = 2.0, .low_open = true, .high_open = true};
-constexpr KeyRange reduced_volume{.low = 0.0, .high = 1.0, .low_open = true};
 constexpr KeyRange step_count{.low = 0.0, .high = 1e15};
 constexpr double inverse_sqrt_two = 0.70710678118654752;
 
@@ -210,39 +209,6 @@ std::vector<CaseKey> vesicle_type_keys() {
 std::vector<CaseKey> vesicle_keys() {
     const std::string mode = "vesicle[].perturbation[].";
     return {
-        {.path = "vesicle[].type",
-         .kind = KeyKind::text,
-         .meaning = "name of a [vesicle_type.NAME]",
-         .example = "\"rbc\"",
-         .need = Need::required},
-        {.path = "vesicle[].shape",
-         .kind = KeyKind::choice,
-         .meaning =
-             "at the start; discocyte, prolate and stomatocyte are exact minimisers of the bending energy",
-         .example = "\"sphere\"",
-         .need = Need::required,
-         .choices = {"sphere", "spheroid", "discocyte", "prolate", "stomatocyte", "evans-fung", "mesh"}},
-        {.path = "vesicle[].aspect",
-         .kind = KeyKind::number,
-         .meaning = "length along the axis over width",
-         .example = "0.5",
-         .need = Need::required,
-         .range = {.low = 0.02, .high = 50.0},
-         .condition = {"shape", {"spheroid"}}},
-        {.path = "vesicle[].reduced_volume",
-         .kind = KeyKind::number,
-         .meaning = "of the exact shape",
-         .example = "0.65",
-         .need = Need::required,
-         .range = reduced_volume,
-         .reason = "1 being the sphere",
-         .condition = {"shape", {"discocyte", "prolate", "stomatocyte"}}},
-        {.path = "vesicle[].file",
-         .kind = KeyKind::text,
-         .meaning = "STL or PLY, closed; relative to the case file",
-         .example = "\"cell.stl\"",
-         .need = Need::required,
-         .condition = {"shape", {"mesh"}}},
         {.path = "vesicle[].centre",
          .kind = KeyKind::point,
          .meaning = "cell i spans [i, i + 1): a box of 80 cells has its centre at 40.0",
@@ -306,8 +272,9 @@ std::vector<CaseKey> all_keys() {
          .need = Need::required,
          .range = {.low = 1.0, .high = 65536.0}},
     };
-    for (const auto& part : {fluid_keys(), vesicle_type_keys(), vesicle_keys(), detail::suspension_keys(),
-                             detail::flow_keys(), detail::run_and_output_keys()})
+    for (const auto& part :
+         {fluid_keys(), vesicle_type_keys(), detail::shape_keys("vesicle[]"), vesicle_keys(),
+          detail::suspension_keys(), detail::flow_keys(), detail::run_and_output_keys()})
         keys.insert(keys.end(), part.begin(), part.end());
     return keys;
 }

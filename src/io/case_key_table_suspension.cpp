@@ -2,27 +2,28 @@
 
 namespace vesica::detail {
 
-std::vector<CaseKey> suspension_keys() {
+std::vector<CaseKey> shape_keys(const std::string& table) {
     return {
-        {.path = "suspension.type",
+        {.path = table + ".type",
          .kind = KeyKind::text,
          .meaning = "name of a [vesicle_type.NAME]",
          .example = "\"rbc\"",
          .need = Need::required},
-        {.path = "suspension.shape",
+        {.path = table + ".shape",
          .kind = KeyKind::choice,
-         .meaning = "of each, as of a [[vesicle]]",
-         .example = "\"discocyte\"",
+         .meaning =
+             "at the start; discocyte, prolate and stomatocyte are exact minimisers of the bending energy",
+         .example = "\"sphere\"",
          .need = Need::required,
          .choices = {"sphere", "spheroid", "discocyte", "prolate", "stomatocyte", "evans-fung", "mesh"}},
-        {.path = "suspension.aspect",
+        {.path = table + ".aspect",
          .kind = KeyKind::number,
          .meaning = "length along the axis over width",
          .example = "0.5",
          .need = Need::required,
          .range = {.low = 0.02, .high = 50.0},
          .condition = {"shape", {"spheroid"}}},
-        {.path = "suspension.reduced_volume",
+        {.path = table + ".reduced_volume",
          .kind = KeyKind::number,
          .meaning = "of the exact shape",
          .example = "0.65",
@@ -30,12 +31,18 @@ std::vector<CaseKey> suspension_keys() {
          .range = {.low = 0.0, .high = 1.0, .low_open = true},
          .reason = "1 being the sphere",
          .condition = {"shape", {"discocyte", "prolate", "stomatocyte"}}},
-        {.path = "suspension.file",
+        {.path = table + ".file",
          .kind = KeyKind::text,
          .meaning = "STL or PLY, closed; relative to the case file",
          .example = "\"cell.stl\"",
          .need = Need::required,
          .condition = {"shape", {"mesh"}}},
+    };
+}
+
+std::vector<CaseKey> suspension_keys() {
+    std::vector<CaseKey> keys = shape_keys("suspension");
+    const std::vector<CaseKey> own{
         {.path = "suspension.radius",
          .kind = KeyKind::number,
          .meaning = "of the sphere of equal volume",
@@ -93,6 +100,8 @@ std::vector<CaseKey> suspension_keys() {
              "all of it",
          .example = "[[0, 0, 0], [64, 64, 64]]"},
     };
+    keys.insert(keys.end(), own.begin(), own.end());
+    return keys;
 }
 
 } // namespace vesica::detail
