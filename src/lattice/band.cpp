@@ -91,10 +91,14 @@ std::vector<Band::Member> Band::tiles_to_address() const {
 void Band::lay_out() {
     const std::vector<Member> members = tiles_to_address();
     // Addresses: tiles 1 and 2 stand for everything outside the band, with an unused tile on either side.
-    std::int64_t address = 3 * tile;
+    std::int64_t address = 4 * tile;
+    tiles_.reserve(members.size());
+    places_.reserve(members.size());
+    occupied_.reserve(members.size());
     Member previous{0, -1, -2};
     for (const Member& next : members) {
-        if (next.label != previous.label || next.tile != previous.tile + 1)
+        // Whoever looks at two tiles at once must see that they are not one vesicle's.
+        if (next.label != previous.label && next.tile == previous.tile + 1)
             address += tile;
         place(next, static_cast<std::int32_t>(address));
         address += tile;

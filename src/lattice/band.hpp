@@ -35,9 +35,10 @@ struct BandTile {
 /// The cells near an interface, found by growing a core of cells level by level along the lattice's own
 /// links, and the compact storage of everything that is worked out there only: value `a + k` of a compact
 /// array belongs to cell k of the tile whose compact address is `a`. Tiles that follow each other along x do
-/// so in compact arrays as well, and one unused tile parts the runs, so that loads shifted by one cell stay
-/// with their neighbours. Ghost cells at the block's faces have addresses of their own: those that stand for
-/// cells of the same block are filled by copying, those of another process by what it sends.
+/// so in compact arrays as well. A load shifted by one cell reaches, at the end of such a run, some other
+/// cell of the band: only cells of the outermost level have neighbours there. Ghost cells at the block's
+/// faces have addresses of their own: those that stand for cells of the same block are filled by copying,
+/// those of another process by what it sends.
 ///
 /// Each vesicle, by its label, has a band of its own. Where they overlap a tile is listed, and has compact
 /// addresses, once for each.

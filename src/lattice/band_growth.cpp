@@ -62,9 +62,10 @@ void BandGrowth::grow(const std::vector<BandSeed>& core, const std::vector<Forei
 void BandGrowth::forget() {
     for (const Node& node : nodes_)
         first_[static_cast<std::size_t>(node.tile)] = -1;
-    nodes_.clear();
+    // Between two layouts the memory serves others.
+    nodes_ = {};
     for (auto& marked : marked_)
-        marked.clear();
+        marked = {};
 }
 
 std::int32_t BandGrowth::find_or_add(std::int64_t t, int label) {

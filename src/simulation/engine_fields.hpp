@@ -166,14 +166,19 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
     } else if (name == "normal") {
         fill_level(reach::colour, layer.n);
     } else if (name == "mean_curvature") {
-        fill_level(reach::curvature, alone(layer.H0));
+        std::vector<Real> values(layer.s.size(), Real(0));
+        for (const std::int32_t index : layer_.band().of_level(reach::curvature)) {
+            const TileRun<Real> t{&layer_.band().tiles()[static_cast<std::size_t>(index)]};
+            layer_.mean_curvature(t).store(values.data() + t.slot());
+        }
+        fill_level(reach::curvature, alone(values));
     } else if (name == "gaussian_curvature") {
         fill_level(reach::curvature, alone(layer.K0));
     } else if (name == "bending_force" || name == "tension_force") {
-        std::vector<Real> values(layer.H0.size(), Real(0));
+        std::vector<Real> values(layer.s.size(), Real(0));
         for (const std::int32_t index : layer_.band().of_level(reach::force)) {
             const BandTile& t = layer_.band().tiles()[static_cast<std::size_t>(index)];
-            const V H = V::load(layer.H0.data() + t.slot());
+            const V H = layer_.mean_curvature(TileRun<Real>{&t});
             const V K = V::load(layer.K0.data() + t.slot());
             const Membrane& membrane = membranes_[static_cast<std::size_t>(t.label)];
             const V bending = std::visit(

@@ -169,7 +169,8 @@ std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_
         const detail::LaneVectors<Real> n(TileRun<Real>{&t}.load(fields.n));
         const bool curved = t.bits[reach::curvature] != 0;
         const auto H0 = lanes(fields.raw_H0); // sharpening, which Lap_s H needs, adds noise to H itself
-        const auto force_H0 = lanes(fields.H0);
+        const detail::LaneValues<Real> force_H0(
+            t.bits[reach::force] != 0 ? layer_.mean_curvature(TileRun<Real>{&t}) : V(0));
         const auto K0 = lanes(fields.K0);
         const auto J = lanes(fields.J);
         const detail::LaneValues<Real> laplacian(
@@ -206,7 +207,8 @@ std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_
             }
             if ((t.bits[reach::force] >> k & 1) != 0)
                 for (int a = 0; a < 3; ++a)
-                    cell.force[a] = static_cast<double>(layer_.force().view().component(a)[t.slot() + k]);
+                    cell.force[a] =
+                        static_cast<double>(layer_.force().view().component(a)[layer_.force_slot(t) + k]);
             cell.to_obstacle = distance_to_obstacle(cell, index);
             layer_.for_each_colour(index, fields.chi, [&](int label, Real other) {
                 const double distance = signed_distance_of(static_cast<double>(other), 1e-8, beta);

@@ -239,7 +239,7 @@ private:
         influence.label = layer_.slot_labels().data();
         influence.interior = layer_.interior().data();
         influence.shared = &layer_.shared();
-        influence.red = layer_.fields().red.data();
+        influence.chi = layer_.fields().chi.data();
         return influence;
     }
 

@@ -61,8 +61,12 @@ public:
     const Field<Real>& force() const { return force_; }
     /// Per tile: the label of the vesicle it lies in, beyond that one's band; -1: none.
     const std::vector<std::int32_t>& interior() const { return interior_; }
-    /// Per tile: compact address of its forces, -1 where there are none.
+    /// Per tile: where its forces begin in force(), -1 where there are none.
     const std::vector<std::int32_t>& force_slots() const { return force_slots_; }
+    /// Where the force of one vesicle on a tile is, -1: there is none.
+    std::int32_t force_slot(const BandTile& t) const {
+        return own_force_slots_[at(&t - band_.tiles().data())];
+    }
     /// Per tile: compact address of its colours in the one band that has it; outside_bands; or where it has
     /// several colours a shared_slot().
     const std::vector<std::int32_t>& colour_slots() const { return colour_slots_; }
@@ -142,50 +146,7 @@ public:
 
     /// Where the surface is: s, the layer's area, and whether the core has left its place.
     /// What leaked out of the band is given back, in proportion to 1 - phi^2: mass is exact.
-    void locate(int threads) {
-        corrections_.resize(leaked_.size());
-        for (std::size_t k = 0; k < leaked_.size(); ++k)
-            corrections_[k] = static_cast<Real>(layer_sum_[k] > 0.0 ? leaked_[k] / layer_sum_[k] : 0.0);
-        area_sums_.reset(threads, labels());
-        red_sums_.reset(threads, labels());
-        struct alignas(64) Departed {
-            unsigned bits = 0;
-        };
-        std::vector<Departed> departed(static_cast<std::size_t>(threads));
-        core_bits_.resize(band_.tiles().size());
-        const auto place_surface = [&]<class Tiles>(const Tiles& t, std::size_t index, int thread) {
-            using V = typename Tiles::V;
-            const V density = t.load(fields_.density);
-            V chi = t.load(fields_.chi);
-            const auto holds_both = t.cells_of(reach::colour);
-            // The side stays as it is: a pure red cell is -0, and -0 plus a zero share of the correction
-            // would be +0, blue.
-            const V corrected = with_sign_bit<Real>(sign_bit(chi), chi + V(corrections_[at(t.label())]) *
-                                                                             layer_density(chi) / density);
-            chi = select<Real>(holds_both, corrected, chi);
-            t.store(chi, fields_.chi);
-            t.store(red_fraction(chi), fields_.red);
-            t.store(blue_fraction(chi), fields_.blue);
-            t.store(signed_distance_of(chi, V(purest), settings_.beta), fields_.s);
-            t.store(spread_force_.profile(phase_of(chi)), fields_.psi);
-            const V layer = layer_density(chi);
-            area_sums_.of(thread, t.label())
-                .add(select<Real>(holds_both, V(0.5 * settings_.beta) * layer, V(0)));
-            red_sums_.of(thread, t.label())
-                .add(select<Real>(t.cells_of(Band::outermost), red_fraction(chi), V(0)));
-            const std::uint32_t core = bits_of<V>((layer > V(settings_.cutoff)) & holds_both);
-            for (int k = 0; k < Tiles::count; ++k)
-                core_bits_[index + at(k)] = static_cast<std::uint8_t>(core >> (k * tile_width));
-            departed[at(thread)].bits |= core & ~t.bits(reach::force);
-        };
-        share(Band::outermost, threads, {fields_.chi, fields_.red, fields_.blue, fields_.s, fields_.psi},
-              place_surface);
-        colour_slid_ghosts(threads);
-        extend_into_solids({fields_.s}, Band::outermost, 1.0, threads);
-        core_has_left_ = ranks().any(std::any_of(departed.begin(), departed.end(),
-                                                 [](const Departed& cells) { return cells.bits != 0; }));
-        leaked_.assign(leaked_.size(), 0.0);
-    }
+    void locate(int threads);
 
     /// Whether the band must be laid out anew.
     bool core_has_left() const { return core_has_left_ || (meets_images_ && slid_ != displacement_.whole); }
@@ -211,6 +172,12 @@ public:
     /// grad H0 along the surface.
     void slopes(int threads);
 
+    /// H0 as Lap_s H asks for it: without the leading error of the derivative that made H of n.
+    template <class Tiles>
+    VESICA_INLINE typename Tiles::V mean_curvature(const Tiles& t) const {
+        return mapped() ? sharpened<typename Tiles::V>(around(fields_.raw_H0, t), 1.0)
+                        : t.load(fields_.raw_H0);
+    }
     template <class Tiles>
     VESICA_INLINE typename Tiles::V laplace_beltrami_of_H(const Tiles& t) const {
         using V = typename Tiles::V;
@@ -354,6 +321,7 @@ private:
     Field<Real> force_;
     std::vector<std::int32_t> interior_;
     std::vector<std::int32_t> force_slots_;
+    std::vector<std::int32_t> own_force_slots_; ///< per band tile
     std::vector<std::int32_t> colour_slots_;
     SharedTiles shared_;
     std::vector<std::int32_t> slot_labels_;
@@ -362,6 +330,7 @@ private:
     std::vector<std::uint8_t> laid_out_bits_; ///< per band tile: its cells in that core
     std::vector<std::uint8_t> core_bits_;     ///< per band tile: cells with a force now
     bool empty_ = true;
+    bool have_arrived_ = false; ///< colours: they have streamed, and wait where s will be
     int colours_per_cell_ = 1;
     bool core_has_left_ = false; ///< one of them lies where there is no room for a force
     std::vector<std::int32_t>
@@ -396,4 +365,5 @@ private:
 } // namespace vesica
 
 #include "simulation/layer_ghosts.hpp"
+#include "simulation/layer_location.hpp"
 #include "simulation/layer_slide.hpp"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "colour/phase.hpp"
 #include "lattice/band.hpp"
 #include "lattice/field.hpp"
+#include "membrane/layer_force.hpp"
 #include "parallel/pack.hpp"
 #include "simulation/tile_run.hpp"
 
@@ -18,18 +20,14 @@ template <class Real>
 struct LayerFields {
     using Array = std::span<Real>;
 
-    Array chi;     ///< signed minority fraction (colour/phase.hpp)
-    Array red;     ///< rho_R/rho and
-    Array blue;    ///< rho_B/rho before streaming: a small fraction keeps its digits in both
+    Array chi;     ///< signed minority fraction (colour/phase.hpp), before streaming
     Array density; ///< rho
-    Array s;       ///< signed distance to phi = 0
-    Array psi;     ///< the force's profile across the layer (membrane/layer_force.hpp)
+    Array s;       ///< signed distance to phi = 0; while the fluid streams, the chi that arrives
     Array sharp;   ///< s, and later H0, sharpened for the stencils that will blur it
     Array n[3];    ///< outward unit normal
     Array w[3];    ///< segregation flux
     Array raw_H0;  ///< mean curvature of phi = 0 as differentiated (of the cell itself with the paper's
                    ///< geometry)
-    Array H0;      ///< the same without the stencils' leading error
     Array K0;
     Array J;    ///< area of phi = 0 per area of the parallel surface
     Array g[3]; ///< surface gradient of H0, mapped to phi = 0 (whole gradient with the paper's geometry)
@@ -50,7 +48,7 @@ struct LayerFields {
 private:
     template <class Body>
     void for_each_array(const Body& body) {
-        for (Array* array : {&chi, &red, &blue, &density, &s, &psi, &sharp, &raw_H0, &H0, &K0, &J})
+        for (Array* array : {&chi, &density, &s, &sharp, &raw_H0, &K0, &J})
             body(*array);
         for (int a = 0; a < 3; ++a) {
             body(n[a]);
@@ -59,7 +57,7 @@ private:
         }
     }
 
-    static constexpr int array_count = 20;
+    static constexpr int array_count = 16;
     Field<Real> memory_;
 };
 
@@ -74,16 +72,28 @@ struct PhaseAround {
     }
 };
 
-/// The fraction of one colour around, chosen by the cell in the middle.
+/// The force's profile around, from chi.
 template <class Real, int width>
-struct MinorityAround {
-    typename Pack<Real, width>::Mask blue_is_minor;
-    Around<Real, width> red;
-    Around<Real, width> blue;
+struct ProfileAround {
+    const LayerForce& spread_force;
+    Around<Real, width> chi;
 
     template <int i>
     VESICA_INLINE Pack<Real, width> operator()(Direction<i> direction) const {
-        return select<Real>(blue_is_minor, blue(direction), red(direction));
+        return spread_force.profile(phase_of(chi(direction)));
+    }
+};
+
+/// The fraction of one colour around, chosen by the cell in the middle. A small one keeps its digits.
+template <class Real, int width>
+struct MinorityAround {
+    typename Pack<Real, width>::Mask blue_is_minor;
+    Around<Real, width> chi;
+
+    template <int i>
+    VESICA_INLINE Pack<Real, width> operator()(Direction<i> direction) const {
+        const auto there = chi(direction);
+        return select<Real>(blue_is_minor, blue_fraction(there), red_fraction(there));
     }
 };
 

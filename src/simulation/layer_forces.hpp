@@ -26,22 +26,24 @@ template <class Real>
 template <class Bending>
 void Layer<Real>::forces_of(std::span<const Membrane> membranes, int threads) {
     const FieldView<Real> force = force_.view();
-    for_tiles(reach::force, threads, [&]<class Tiles>(const Tiles& t) {
+    for_tiles(reach::force, threads, [&]<class Tiles>(const Tiles& t, std::size_t index, int) {
         using V = typename Tiles::V;
         const Membrane& membrane = membranes[at(t.label())];
         const Bending& bending = *std::get_if<Bending>(&membrane.bending);
         const TensionLaw tension{membrane.tension()};
-        const V H = t.load(fields_.H0);
+        const V H = mean_curvature(t);
         const V K = t.load(fields_.K0);
         const V normal_force = bending.force(H, K, laplace_beltrami_of_H(t)) + tension.force(H);
-        const Vec3<V> slope = gradient<V>(around(fields_.psi, t));
+        const Vec3<V> slope =
+            gradient<V>(ProfileAround<Real, V::width>{spread_force_, around(fields_.chi, t)});
         Vec3<V> F = spread_force_(slope, normal_force);
         if (solids_ != nullptr && t.beside_solid())
             F = F + wetting_force(t);
         const auto here = t.cells_of(reach::force);
-        select<Real>(here, F.x, V(0)).store(force.component(0) + t.slot());
-        select<Real>(here, F.y, V(0)).store(force.component(1) + t.slot());
-        select<Real>(here, F.z, V(0)).store(force.component(2) + t.slot());
+        const std::int32_t slot = own_force_slots_[index];
+        select<Real>(here, F.x, V(0)).store(force.component(0) + slot);
+        select<Real>(here, F.y, V(0)).store(force.component(1) + slot);
+        select<Real>(here, F.z, V(0)).store(force.component(2) + slot);
     });
 }
 
@@ -58,7 +60,7 @@ Vec3<typename Tiles::V> Layer<Real>::wetting_force(const Tiles& t) const {
         for (int a = 0; a < 3; ++a)
             towards[a] += V(velocity(i, a)) * share;
     }
-    const V strength = V(settings_.wetting) * t.load(fields_.red);
+    const V strength = V(settings_.wetting) * red_fraction(t.load(fields_.chi));
     return {strength * towards.x, strength * towards.y, strength * towards.z};
 }
 

@@ -55,18 +55,20 @@ void Layer<Real>::part_shared_colours(int threads) {
             V others = V(0);
             Vec3<V> parted{V(0), V(0), V(0)};
             for (std::int32_t other = range.begin; other < range.end; ++other) {
-                if (other == k || tile_of(other) == nullptr)
+                if (other == k || tile_of(other) == nullptr || tile_of(other)->bits[reach::colour] == 0)
                     continue;
                 const TileRun<Real> beside{tile_of(other)};
-                const V red = select<Real>(beside.cells_of(reach::colour), beside.load(fields_.red), V(0));
+                const V red = select<Real>(beside.cells_of(reach::colour),
+                                           red_fraction(beside.load(fields_.chi)), V(0));
                 others += red;
                 const Vec3<V> share = red * direction_between(n, beside.load(fields_.n));
                 const auto is_there = red > V(0); // a normal means nothing elsewhere
                 for (int a = 0; a < 3; ++a)
                     parted[a] += select<Real>(is_there, share[a], V(0));
             }
-            const V rest = larger(own.load(fields_.blue) - others, V(0));
-            const V strength = V(settings_.beta) * own.load(fields_.density) * own.load(fields_.red);
+            const V chi = own.load(fields_.chi);
+            const V rest = larger(blue_fraction(chi) - others, V(0));
+            const V strength = V(settings_.beta) * own.load(fields_.density) * red_fraction(chi);
             const Vec3<V> flux = strength * (rest * n + parted);
             const auto meets = (others > V(0)) & own.cells_of(reach::colour);
             const Vec3<V> alone = own.load(fields_.w);
@@ -89,8 +91,6 @@ void Layer<Real>::curvatures(int threads) {
                                             : paper_curvatures_of(jacobian<V>(around(fields_.n, t)), n);
         const Curvatures<V> surface = mapped() ? map_to_mid_surface(here, s) : here;
         t.store(surface.H, fields_.raw_H0);
-        if (!mapped())
-            t.store(surface.H, fields_.H0);
         t.store(surface.K, fields_.K0);
         t.store(mapped() ? area_to_mid_surface(here, s) : V(1), fields_.J);
         const V weight = V(0.5 * settings_.beta) * layer_density(t.load(fields_.chi));
@@ -105,9 +105,8 @@ void Layer<Real>::curvatures(int threads) {
         return;
     share(reach::curvature, threads, {fields_.sharp}, [&]<class Tiles>(const Tiles& t) {
         using V = typename Tiles::V;
-        const auto H = around(fields_.raw_H0, t);
-        t.store(sharpened<V>(H, 1.0), fields_.H0);    // the derivative that made H of n
-        t.store(sharpened<V>(H, 3.0), fields_.sharp); // and the two that make Lap_s H of H
+        // The derivative that made H of n, and the two that make Lap_s H of H.
+        t.store(sharpened<V>(around(fields_.raw_H0, t), 3.0), fields_.sharp);
     });
     extend_into_solids({fields_.sharp}, reach::curvature, 0.0, threads);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "colour/phase.hpp"
 #include "core/vec3.hpp"
 #include "lattice/field.hpp"
 #include "parallel/pack.hpp"
@@ -20,8 +21,7 @@ struct InnerFluid {
 /// differ.
 template <class Real>
 struct LayerInfluence {
-    const std::int32_t* force_slot =
-        nullptr; ///< per tile: compact address of its forces, -1 where there are none
+    const std::int32_t* force_slot = nullptr; ///< per tile: where its forces begin, -1 where there are none
     FieldView<const Real> force;
     bool contrast = false; ///< a viscosity inside differs from the one outside
     bool buoyant = false;
@@ -30,7 +30,7 @@ struct LayerInfluence {
     const std::int32_t* label = nullptr;       ///< per compact tile: whose it is
     const std::int32_t* interior = nullptr;    ///< per tile: the label it lies inside of, beyond its band
     const SharedTiles* shared = nullptr;
-    const Real* red = nullptr; ///< rho_R/rho in the bands, before streaming: a step does not write it
+    const Real* chi = nullptr; ///< colours in the bands, before streaming: a step does not write them
 
     /// body(label, its share rho_k/rho) for all colours of the V::width cells of one tile, or of tiles that
     /// lie side by side.
@@ -38,7 +38,7 @@ struct LayerInfluence {
     void for_each_colour(std::int64_t tile, const Body& body) const {
         const std::int32_t slot = colour_slot[tile];
         if (slot >= 0) {
-            body(label[slot / tile_width], V::load(red + slot));
+            body(label[slot / tile_width], red_fraction(V::load(chi + slot)));
         } else if (!is_shared(slot)) {
             if (interior[tile] >= 0)
                 body(interior[tile], V(1));
@@ -47,7 +47,7 @@ struct LayerInfluence {
             shared->for_each_colour(slot, [&](const SharedTiles::Colour& colour) {
                 if (colour.slot == SharedTiles::Colour::pure)
                     return;
-                const V share = V::load(red + colour.slot);
+                const V share = red_fraction(V::load(chi + colour.slot));
                 others += share;
                 body(colour.label, share);
             });

@@ -101,8 +101,8 @@ template <class Real>
 template <class Body>
 void Layer<Real>::for_each_share(std::int64_t cell, const Body& body) const {
     double rest = 1.0;
-    for_each_colour(cell, fields_.red, [&](int label, Real red) {
-        const auto share = static_cast<double>(red);
+    for_each_colour(cell, fields_.chi, [&](int label, Real chi) {
+        const auto share = static_cast<double>(red_fraction(chi));
         rest -= share;
         if (share > 0.0)
             body(label, share);
@@ -210,9 +210,15 @@ void Layer<Real>::number_slots() {
         slot_labels_[at(tiles[k].slot() / tile_width)] = tiles[k].label;
         slot_tiles_[at(tiles[k].slot() / tile_width)] = static_cast<std::int32_t>(k);
     }
-    for (const BandTile& t : tiles)
+    std::int32_t numbers = 0;
+    own_force_slots_.assign(tiles.size(), -1);
+    for (const std::int32_t index : band_.of_level(reach::force)) {
+        const BandTile& t = tiles[at(index)];
+        own_force_slots_[at(index)] = numbers;
         if (t.bits[reach::force] != 0) // not where all of the level is solid
-            force_slots_[at(t.tile)] = t.slot();
+            force_slots_[at(t.tile)] = numbers;
+        numbers += tile_width;
+    }
     // Beside sliding faces the band's own core is larger.
     laid_out_bits_.assign(tiles.size(), 0);
     for (const Band::Seed& seed : laid_out_core_)
@@ -229,23 +235,23 @@ void Layer<Real>::number_slots() {
         colours.clear();
         band_.for_each_label(tile, [&](int label, std::int32_t slot) {
             if (const BandTile* const t = find_tile(tiles, tile, label))
-                colours.push_back({label, slot, static_cast<std::int32_t>(t - tiles.data())});
+                colours.push_back(
+                    {label, slot, static_cast<std::int32_t>(t - tiles.data()),
+                     t->bits[reach::force] != 0 ? force_slot(*t) : SharedTiles::Colour::no_force});
         });
         if (const int owner = interior_[at(tile)]; owner >= 0 && !colours.empty())
-            colours.push_back({owner, SharedTiles::Colour::pure, -1});
+            colours.push_back({owner, SharedTiles::Colour::pure, -1, SharedTiles::Colour::no_force});
         if (colours.size() < 2)
             continue;
         std::sort(colours.begin(), colours.end(),
                   [](const auto& a, const auto& b) { return a.label < b.label; });
-        shared_.add(tile, colours, band_);
+        numbers += shared_.add(tile, colours, numbers);
         colour_slots_[at(tile)] = shared_.last_slot();
     }
     for (const SharedTiles::Force& sum : shared_.forces())
         force_slots_[at(sum.tile)] = sum.slot;
-    const std::int64_t numbers =
-        band_.compact_size() + tile_width * static_cast<std::int64_t>(shared_.forces().size());
     if (force_.stride() < numbers)
-        force_ = Field<Real>(3, numbers + numbers / 4);
+        force_ = Field<Real>(3, force_.stride() == 0 ? numbers : numbers + numbers / 4);
     for (int a = 0; a < 3; ++a)
         std::fill_n(force_.view().component(a), numbers, Real(0));
 }

@@ -113,11 +113,6 @@ void Layer<Real>::colour_slid_ghosts(int threads) {
                     : static_cast<Real>(
                           1.0 / (1.0 + std::exp(2.0 * settings_.beta * std::abs(static_cast<double>(s)))));
         fields_.chi[to] = with_sign_bit(is_red, minority);
-        fields_.red[to] = is_red ? Real(1) - minority : minority;
-        fields_.blue[to] = is_red ? minority : Real(1) - minority;
-        const double phi =
-            is_red ? 1.0 - 2.0 * static_cast<double>(minority) : 2.0 * static_cast<double>(minority) - 1.0;
-        fields_.psi[to] = static_cast<Real>(spread_force_.profile(phi));
     });
 }
 
@@ -151,7 +146,7 @@ void Layer<Real>::count_departing(const PopulationView<Real>& f, int threads) {
         Vec3<V> w{V(0), V(0), V(0)};
         if (t.index >= 0) {
             const TileRun<Real> run{band_.tiles().data() + t.index};
-            red = run.load(fields_.red);
+            red = red_fraction(run.load(fields_.chi));
             w = run.load(fields_.w);
         }
         V leaves = V(0);
@@ -173,7 +168,7 @@ void Layer<Real>::count_arriving(const PopulationView<Real>& f, int threads) {
     const int across = faces_.slide().gradient;
     count_crossing(threads, [&](const FaceTile& t, LaneSum<38>& sum) {
         const BandTile* const in_band = t.index >= 0 ? band_.tiles().data() + t.index : nullptr;
-        const V own = in_band != nullptr ? TileRun<Real>{in_band}.load(fields_.red) : V(1);
+        const V own = in_band != nullptr ? red_fraction(TileRun<Real>{in_band}.load(fields_.chi)) : V(1);
         // Cells that receive none of the other colour keep their side.
         const auto receives = V::mask(in_band != nullptr ? in_band->bits[reach::receiving] : 0u);
         V comes = V(0);
@@ -187,7 +182,7 @@ void Layer<Real>::count_arriving(const PopulationView<Real>& f, int threads) {
             if (in_band != nullptr) {
                 const TileRun<Real> run{in_band};
                 const Vec3<Around<Real, tile_width>> w = around(fields_.w, run);
-                red = select<Real>(receives, around(fields_.red, run)(Direction<from>{}), own);
+                red = select<Real>(receives, red_fraction(around(fields_.chi, run)(Direction<from>{})), own);
                 separated = select<Real>(receives,
                                          V(velocity(i, 0)) * w.x(Direction<from>{}) +
                                              V(velocity(i, 1)) * w.y(Direction<from>{}) +

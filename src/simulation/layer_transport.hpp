@@ -11,6 +11,7 @@ void Layer<Real>::begin_transport(int threads) {
     leaked_sums_.reset(threads, labels());
     layer_sums_.reset(threads, labels());
     crossing_sums_.reset(threads, labels());
+    have_arrived_ = true;
     transport_seconds_.assign(at(threads), 0.0);
 }
 
@@ -64,10 +65,8 @@ VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, co
         g[i] = V::load(f.template arriving<streaming, decltype(i)::value>(t.cell()));
     });
     const V density = density_of(g);
-    const V before = t.load(fields_.chi);
-    const auto blue_was_minor = sign_bit(before);
-    const MinorityAround<Real, V::width> fraction{blue_was_minor, around(fields_.red, t),
-                                                  around(fields_.blue, t)};
+    const auto blue_was_minor = sign_bit(t.load(fields_.chi));
+    const MinorityAround<Real, V::width> fraction{blue_was_minor, around(fields_.chi, t)};
     const auto w = around(fields_.w, t);
     const auto gather = [&](const auto& fraction_around, const auto& w_around) VESICA_INLINE_LAMBDA {
         return gather_colours(g, V(settings_.reference_density), density, blue_was_minor, fraction_around,
@@ -90,7 +89,7 @@ VESICA_INLINE void Layer<Real>::transport_tile(const PopulationView<Real>& f, co
     sums.leaked.add(select<Real>(received, lost, V(0)));
     const V chi = with_sign_bit<Real>(blue_is_minor, stays / density);
     sums.layer.add(select<Real>(holds_both, layer_density(chi), V(0)));
-    t.store(select<Real>(received, chi, before), fields_.chi);
+    t.store(chi, fields_.s); // neighbours still ask what was here
     t.store(density, fields_.density);
 }
 

@@ -29,10 +29,12 @@ class SharedTiles {
 public:
     struct Colour {
         static constexpr std::int32_t pure = -1;
+        static constexpr std::int32_t no_force = -1;
 
         std::int32_t label = 0;
-        std::int32_t slot = pure; ///< compact address; pure: what the other colours leave
-        std::int32_t tile = -1;   ///< index in the band
+        std::int32_t slot = pure;      ///< compact address; pure: what the other colours leave
+        std::int32_t tile = -1;        ///< index in the band
+        std::int32_t force = no_force; ///< where its forces begin
     };
     struct Range {
         std::int32_t begin = 0; ///< of its colours, in ascending order of labels
@@ -52,23 +54,23 @@ public:
         forces_.clear();
         force_slots_.clear();
     }
-    /// A tile of the grid, with all its colours.
-    void add(std::int64_t tile, const std::vector<Colour>& colours, const Band& band) {
+    /// A tile of the grid, with all its colours. Where several push, their sum begins at `free`. Returns how
+    /// many addresses it takes.
+    std::int32_t add(std::int64_t tile, const std::vector<Colour>& colours, std::int32_t free) {
         const auto begin = static_cast<std::int32_t>(colours_.size());
         colours_.insert(colours_.end(), colours.begin(), colours.end());
         ranges_.push_back({begin, static_cast<std::int32_t>(colours_.size())});
         const auto first = static_cast<std::int32_t>(force_slots_.size());
         for (const Colour& colour : colours)
-            if (colour.tile >= 0 &&
-                band.tiles()[static_cast<std::size_t>(colour.tile)].bits[reach::force] != 0)
-                force_slots_.push_back(colour.slot);
+            if (colour.force != Colour::no_force)
+                force_slots_.push_back(colour.force);
         const auto last = static_cast<std::int32_t>(force_slots_.size());
         if (last - first > 1) {
-            const auto slot = band.compact_size() + Grid::tile * static_cast<std::int64_t>(forces_.size());
-            forces_.push_back({tile, static_cast<std::int32_t>(slot), first, last});
-        } else {
-            force_slots_.resize(static_cast<std::size_t>(first));
+            forces_.push_back({tile, free, first, last});
+            return Grid::tile;
         }
+        force_slots_.resize(static_cast<std::size_t>(first));
+        return 0;
     }
 
     bool empty() const { return ranges_.empty(); }

@@ -68,7 +68,7 @@ void for_each_force(const Layer<Real>& layer, const Body& body) {
         for (int k = 0; k < Grid::tile; ++k) {
             if ((t.bits[reach::force] >> k & 1) == 0)
                 continue;
-            const auto at = t.slot() + k;
+            const auto at = layer.force_slot(t) + k;
             body(Vec3<double>{origin.x + k + 0.5, origin.y + 0.5, origin.z + 0.5},
                  Vec3<double>{static_cast<double>(F.component(0)[at]),
                               static_cast<double>(F.component(1)[at]),

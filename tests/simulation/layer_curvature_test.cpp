@@ -40,6 +40,7 @@ CurvatureErrors errors_of(const Vec3<int>& box, const Surface& surface) {
     for (const std::int32_t index : layer.band().of_level(reach::force)) {
         const BandTile& t = layer.band().tiles()[static_cast<std::size_t>(index)];
         const Vec3<int> origin = layer.band().grid().tile_origin(t.tile);
+        const Pack<double> H0 = layer.mean_curvature(TileRun<double>{&t});
         for (int k = 0; k < Grid::tile; ++k) {
             if ((t.bits[reach::force] >> k & 1) == 0)
                 continue;
@@ -48,7 +49,7 @@ CurvatureErrors errors_of(const Vec3<int>& box, const Surface& surface) {
             const double weight = layer_density(layer.fields().chi[at]);
             const double largest = exact.H + std::sqrt(std::max(exact.H * exact.H - exact.K, 0.0));
             weights += weight;
-            H_squares += weight * std::pow(layer.fields().H0[at] - exact.H, 2);
+            H_squares += weight * std::pow(H0[k] - exact.H, 2);
             K_squares += weight * std::pow(layer.fields().K0[at] - exact.K, 2);
             largest_squares += weight * largest * largest;
         }
