@@ -154,7 +154,7 @@ std::vector<CaseKey> detail::run_and_output_keys() {
          .range = step_count},
         {.path = "output.profiles.every",
          .kind = KeyKind::steps,
-         .meaning = "between samples of profiles.csv and suspension.csv; 0: none",
+         .meaning = "between samples of profiles.csv, suspension.csv and pairs.csv; 0: none",
          .example = "500",
          .need = Need::required,
          .dimension = dimension::time,

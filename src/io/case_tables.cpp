@@ -48,7 +48,8 @@ const std::vector<CaseTable>& case_tables() {
         {"output.profiles", true,
          "Haematocrit and velocity across the flow, bin by bin (profiles.csv), and of the whole box, with "
          "the "
-         "cell-free layer (suspension.csv)."},
+         "cell-free layer (suspension.csv); of several vesicles how their centres lie to each other "
+         "(pairs.csv)."},
         {"output.checkpoint", true, "States to resume from."},
         {"tracers", true, "Points that the fluid carries along: tracers.csv."},
         {"tracers.seeds[]", true, "Where they are released: points along a line."},

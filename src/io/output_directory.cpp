@@ -19,8 +19,9 @@ namespace {
 using Path = std::filesystem::path;
 
 constexpr const char* lock_name = ".vesica.lock";
-constexpr std::array single_files = {"metrics.csv",  "tracers.csv", "profiles.csv", "suspension.csv",
-                                     "summary.json", "fields.xmf",  "fields.h5",    "log.txt"};
+constexpr std::array single_files = {"metrics.csv",    "tracers.csv", "profiles.csv",
+                                     "suspension.csv", "pairs.csv",   "summary.json",
+                                     "fields.xmf",     "fields.h5",   "log.txt"};
 
 struct Series {
     const char* directory;

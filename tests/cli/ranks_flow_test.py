@@ -13,11 +13,12 @@ class Flows(Ranks):
             "channel": '[boundary.y]\nlower = { type = "wall" }\nupper = { type = "wall", velocity = [0, 0, 0.02], ramp = 30 }\n'
                        "[flow.body_force]\nforce = [1e-5, 0, 0]\n",
         }  # fmt: skip
+        second = '[[vesicle]]\ntype = "rbc"\nshape = "sphere"\ncentre = [14, 29, 14]\nradius = 6\n'
         for name, flow in flows.items():
-            self.case.write_text(CASE + tracers + flow)
+            self.case.write_text(CASE + second + tracers + flow)
             self.run_on(0, name)
             expected = self.outputs(name)
-            for table in ("tracers.csv", "profiles.csv", "suspension.csv"):
+            for table in ("tracers.csv", "profiles.csv", "suspension.csv", "pairs.csv"):
                 self.assertIn(table, expected)
             rows = (self.directory / name / "tracers.csv").read_text().splitlines()
             self.assertEqual([rows[-1].split(",")[k] for k in (0, 2, 4)], [str(STEPS), "20", str(STEPS)])
