@@ -3,6 +3,7 @@ find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(MPI REQUIRED COMPONENTS C)
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(ZLIB REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)
@@ -21,7 +22,7 @@ if(NOT TARGET xxhash::xxhash)
 endif()
 
 set(VESICA_DEPENDENCIES
-    OpenMP::OpenMP_CXX MPI::MPI_C hdf5::hdf5 Eigen3::Eigen fmt::fmt spdlog::spdlog
+    OpenMP::OpenMP_CXX MPI::MPI_C hdf5::hdf5 ZLIB::ZLIB Eigen3::Eigen fmt::fmt spdlog::spdlog
     tomlplusplus::tomlplusplus CLI11::CLI11 nlohmann_json::nlohmann_json xxhash::xxhash)
 # mpi.h, read by the parallel hdf5.h, would otherwise bring MPI's abandoned C++ bindings.
 set(VESICA_DEPENDENCY_DEFINITIONS OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)

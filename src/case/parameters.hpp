@@ -290,6 +290,7 @@ struct FieldOutput {
     Vec3<int> region_end{};   ///< exclusive
     int stride = 1;
     bool average = false; ///< time average since the last output instead of the instant
+    int compression = 1;  ///< deflate level after a shuffle of the bytes, 1..9; 0: none
 
     friend bool operator==(const FieldOutput&, const FieldOutput&) = default;
 };

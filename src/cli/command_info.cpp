@@ -15,11 +15,14 @@ void declare_info(CLI::App& app, Action& action) {
     command->add_option("file", *file, "The file")->type_name("FILE")->required();
     command->callback([&action, file] {
         action = [file] {
-            std::string text = describe_file(*file);
-            if (!text.ends_with('\n'))
-                text += '\n';
-            std::cout << text << std::flush;
-            return 0;
+            FileDescription found = describe_file(*file);
+            if (!found.text.ends_with('\n'))
+                found.text += '\n';
+            std::cout << found.text << std::flush;
+            if (found.intact)
+                return 0;
+            std::cerr << "vesica: " << *file << " is not intact: the lines above say why\n";
+            return 1;
         };
     });
 }

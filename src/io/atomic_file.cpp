@@ -47,7 +47,16 @@ void AtomicFile::try_space(std::uint64_t bytes) {
         fail_with_errno(target_, "cannot write");
 }
 
+void AtomicFile::reserve(std::uint64_t bytes) {
+    if (::fallocate(file_.number(), FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0)
+        reserved_ = true;
+    else if (errno == ENOSPC || errno == EDQUOT || errno == EFBIG)
+        fail_with_errno(target_, "cannot write");
+}
+
 void AtomicFile::commit() {
+    if (reserved_ && ::ftruncate(file_.number(), static_cast<off_t>(length_of(file_, target_))) != 0)
+        fail_with_errno(target_, "cannot write");
     synchronise(file_, target_);
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
         fail_with_errno(target_, "cannot rename into place");

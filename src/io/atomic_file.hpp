@@ -26,6 +26,10 @@ public:
     /// Asks the file system for so many bytes and gives them back: quotas and full disks show now, in plain
     /// words, instead of inside a library. Throws RunError. Call it before anything is written.
     void try_space(std::uint64_t bytes);
+    /// Keeps room for a file of so many bytes, where the file system can do that, for a library that writes
+    /// by itself and does not recover from a full disk; commit() gives back what is left of it. Throws
+    /// RunError.
+    void reserve(std::uint64_t bytes);
     /// fsync, rename, fsync of the directory. The old file, if any, is replaced in one instant.
     void commit();
 
@@ -38,6 +42,7 @@ private:
     std::filesystem::path target_;
     std::filesystem::path temporary_;
     FileDescriptor file_;
+    bool reserved_ = false;
     bool committed_ = false;
 };
 

@@ -145,6 +145,7 @@ FieldOutput read_fields(const CaseValues& values, const Vec3<int>& size) {
         fields.names.push_back(std::get<std::string>(name.value));
     fields.stride = static_cast<int>(values.integer("output.fields.stride"));
     fields.average = values.boolean("output.fields.average");
+    fields.compression = static_cast<int>(values.integer("output.fields.compression"));
     const CaseRegion region = build_region(values, "output.fields.region", size);
     fields.region_begin = region.begin;
     fields.region_end = region.end;

@@ -234,6 +234,7 @@ void write_output(Resolver& out, const OutputParameters& output) {
                                              fields.region_end.x, fields.region_end.y, fields.region_end.z));
         out.whole("fields.stride", fields.stride);
         out.raw("fields.average", fields.average ? "true" : "false");
+        out.whole("fields.compression", fields.compression);
     }
     if (output.surfaces_every > 0)
         out.steps("surfaces.every", output.surfaces_every);

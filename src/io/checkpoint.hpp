@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/engine_state.hpp"
+#include "io/checkpoint_sums.hpp"
 #include "io/state_file.hpp"
 
 #include <cstdint>
@@ -15,6 +16,7 @@ namespace vesica {
 struct CheckpointNotes {
     std::string case_text; ///< the case in TOML, with all that the command line changed
     std::map<std::string, std::vector<double>> notes; ///< what schedules and measures remember, by name
+    CheckpointSums sums;                              ///< written only; read_sums reads them
     std::string program_version;
 };
 

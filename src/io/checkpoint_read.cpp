@@ -89,6 +89,12 @@ CheckpointSummary summarise_checkpoint(const Path& path) {
     for (const std::string& name : names_in(notes, path))
         summary.arrays.push_back(fmt::format("notes/{} [{}]", name,
                                              fmt::join(shape_of(open_array(notes, name, path), path), ", ")));
+    if (has_link(file, "sums", path)) {
+        const Hdf5Group sums = open_group(file, "sums", path);
+        for (const std::string& name : names_in(sums, path))
+            summary.arrays.push_back(fmt::format(
+                "sums/{} [{}]", name, fmt::join(shape_of(open_array(sums, name, path), path), ", ")));
+    }
     return summary;
 }
 

@@ -58,7 +58,21 @@ public:
     void add_text(const std::string& name, const std::string& text) {
         small_.push_back({place(file_, name, H5T_STD_U8LE, {text.size()}), text});
     }
+    /// Where the sums of averages belong; whoever has their parts fills them.
+    std::vector<std::uint64_t> add_sums(const CheckpointSums& sums) {
+        std::vector<std::uint64_t> offsets;
+        if (sums.arrays.empty())
+            return offsets;
+        const Hdf5Group group = create_group(file_, "sums", path_);
+        for (const CheckpointSums::Array& array : sums.arrays)
+            offsets.push_back(place(group, array.name, H5T_IEEE_F64LE, {numbers_of(array)}));
+        return offsets;
+    }
     const std::vector<PlacedArray>& small() const { return small_; }
+    static hsize_t numbers_of(const CheckpointSums::Array& array) {
+        return static_cast<hsize_t>(CellBox{{}, array.count}.volume()) *
+               static_cast<hsize_t>(array.components);
+    }
 
 private:
     std::uint64_t place(hid_t parent, const std::string& name, hid_t type,
@@ -78,6 +92,8 @@ std::uint64_t bytes_needed(const CheckpointNotes& checkpoint, const StatePlanes&
     std::uint64_t bytes = cells * (state.population_count() * width + state.slots() * colour);
     for (const auto& [name, values] : checkpoint.notes)
         bytes += values.size() * sizeof(double);
+    for (const CheckpointSums::Array& array : checkpoint.sums.arrays)
+        bytes += Structure::numbers_of(array) * sizeof(double);
     return bytes + checkpoint.case_text.size() + (std::uint64_t{1} << 20);
 }
 
@@ -115,11 +131,14 @@ void write_checkpoint(const Path& path, const CheckpointNotes& checkpoint, const
         for (const auto& [name, values] : checkpoint.notes)
             structure.add_reals(notes, name, values);
     }
+    const PlacedArrays sums{target.temporary(), path, structure.add_sums(checkpoint.sums)};
     close_hdf5(file, path);
     for (const PlacedArray& array : structure.small())
         target.write_at(array.offset, array.bytes);
     synchronise(target.descriptor(), path); // for those who digest it on other machines
     colleagues.write_state(places, state);
+    if (!sums.offsets.empty())
+        checkpoint.sums.write(sums);
     seal(target,
          fmt::format("Vesica {} checkpoint of step {}, HDF5 after {} bytes\n", checkpoint.program_version,
                      head.step, seal_bytes),

@@ -53,16 +53,16 @@ std::string title_of_case(const std::string& text) {
     }
 }
 
-std::string describe_checkpoint(const Path& path) {
+FileDescription describe_checkpoint(const Path& path) {
     CheckpointSummary summary;
     try {
         summary = summarise_checkpoint(path);
     } catch (const RunError& error) {
-        DescriptionLines lines(path, "checkpoint, NOT INTACT");
+        DescriptionLines lines(path, "checkpoint", false);
         lines.add("refused", std::string_view(error.what()).substr(path.string().size() + 2));
-        return lines.text();
+        return lines.description();
     }
-    DescriptionLines lines(path, "checkpoint, intact");
+    DescriptionLines lines(path, "checkpoint", true);
     lines.add("step", std::to_string(summary.step));
     lines.add("lattice",
               fmt::format("{}, {} precision", cells_text(summary.size), name_of(summary.precision)));
@@ -71,10 +71,10 @@ std::string describe_checkpoint(const Path& path) {
                                         summary.format_version));
     lines.add("size", readable_bytes(static_cast<double>(summary.bytes)));
     lines.add("arrays", summary.arrays);
-    return lines.text();
+    return lines.description();
 }
 
-std::string describe_metrics(const Path& path) {
+FileDescription describe_metrics(const Path& path) {
     const MetricsTable table = read_metrics(path);
     const auto step = table.column("step");
     if (!step)
@@ -83,16 +83,17 @@ std::string describe_metrics(const Path& path) {
     for (const auto& row : table.rows)
         if (steps.empty() || steps.back() != row[*step])
             steps.push_back(row[*step]);
-    DescriptionLines lines(path, table.torn_bytes == 0 ? "metrics, intact" : "metrics, torn at the end");
+    DescriptionLines lines(path, table.torn_bytes == 0 ? "metrics" : "metrics, torn at the end",
+                           table.torn_bytes == 0);
     lines.add("samples", readable_steps(steps));
     lines.add("rows", std::to_string(table.rows.size()));
     if (table.torn_bytes != 0)
         lines.add("torn", fmt::format("{} bytes after the last row", table.torn_bytes));
     lines.add("columns", fmt::format("{}", fmt::join(table.columns, " ")));
-    return lines.text();
+    return lines.description();
 }
 
-std::string describe_summary(const Path& path) {
+FileDescription describe_summary(const Path& path) {
     const auto json = nlohmann::json::parse(read_whole_file(path), nullptr, false);
     if (!json.is_object() || json.value("format", "") != "vesica-summary-1")
         refuse(path, "is not the summary of a run");
@@ -113,10 +114,10 @@ std::string describe_summary(const Path& path) {
         versions.push_back(fmt::format("{} {}", name, version.get<std::string>()));
     lines.add("verdicts", verdicts);
     lines.add("versions", versions);
-    return lines.text();
+    return lines.description();
 }
 
-std::string describe_case(const Path& path) {
+FileDescription describe_case(const Path& path) {
     const TomlNode root = parse_toml(read_whole_file(path), path.string());
     const TomlNode* size = find(root, {"lattice", "size"});
     if (size == nullptr || size->array() == nullptr || size->array()->size() != 3)
@@ -139,12 +140,12 @@ std::string describe_case(const Path& path) {
         if (const TomlNode* given = find(root, {"run", length}))
             lines.add(length, shown(*given));
     lines.add("units", find(root, {"units"}) != nullptr ? "given" : "lattice units only");
-    return lines.text();
+    return lines.description();
 }
 
 } // namespace
 
-std::string describe_file(const Path& path) {
+FileDescription describe_file(const Path& path) {
     std::error_code none;
     const auto status = std::filesystem::status(path, none);
     if (!exists(status))

@@ -5,9 +5,13 @@
 
 namespace vesica {
 
-/// What a file of Vesica holds, in a few lines for a reader: case, checkpoint, metrics, summary, fields,
-/// surfaces. Says also whether it is intact. Throws InputError for anything else, and when there is no such
-/// file.
-std::string describe_file(const std::filesystem::path& path);
+struct FileDescription {
+    std::string text; ///< a few lines for a reader
+    bool intact = true;
+};
+
+/// What a file of Vesica holds, and whether it is intact: case, checkpoint, metrics, summary, fields,
+/// surfaces. Throws InputError for anything else, and when there is no such file.
+FileDescription describe_file(const std::filesystem::path& path);
 
 } // namespace vesica

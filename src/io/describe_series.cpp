@@ -77,11 +77,11 @@ std::vector<FieldStep> read_steps(const Path& directory, const std::vector<std::
     return steps;
 }
 
-std::string describe_field_files(const Path& path, std::string_view kind,
-                                 const std::vector<std::string>& files) {
+FileDescription describe_field_files(const Path& path, std::string_view kind,
+                                     const std::vector<std::string>& files) {
     std::vector<std::string> missing;
     const auto steps = read_steps(path.parent_path(), files, missing);
-    DescriptionLines lines(path, fmt::format("{}, {}", kind, missing.empty() ? "intact" : "NOT INTACT"));
+    DescriptionLines lines(path, kind, missing.empty());
     std::vector<double> numbers, times;
     for (const auto& step : steps) {
         numbers.push_back(static_cast<double>(step.step));
@@ -92,12 +92,12 @@ std::string describe_field_files(const Path& path, std::string_view kind,
     if (!steps.empty())
         add_step(lines, steps.back());
     lines.add("unreadable", missing);
-    return lines.text();
+    return lines.description();
 }
 
 } // namespace
 
-std::string describe_fields_index(const Path& path) {
+FileDescription describe_fields_index(const Path& path) {
     const std::string text = read_whole_file(path);
     if (text.find("<Xdmf") == std::string::npos)
         refuse(path, "a series of fields");
@@ -106,7 +106,7 @@ std::string describe_fields_index(const Path& path) {
     return describe_field_files(path, "series of fields for ParaView", files);
 }
 
-std::string describe_fields(const Path& path) {
+FileDescription describe_fields(const Path& path) {
     const QuietHdf5 quiet;
     if (H5Fis_hdf5(path.c_str()) <= 0)
         refuse(path, "an HDF5 file");
@@ -117,7 +117,7 @@ std::string describe_fields(const Path& path) {
         lines.add("step", std::to_string(step.step));
         lines.add("time", fmt::format("{}", step.time));
         add_step(lines, step);
-        return lines.text();
+        return lines.description();
     }
     std::vector<std::string> files;
     for (const std::string& name : names_in(file, path)) {
@@ -128,24 +128,23 @@ std::string describe_fields(const Path& path) {
     return describe_field_files(path, "series of fields", files);
 }
 
-std::string describe_surface(const Path& path) {
+FileDescription describe_surface(const Path& path) {
     const std::string text = read_whole_file(path);
     const std::string_view head = std::string_view(text).substr(0, text.find("<AppendedData"));
     if (head.find("type=\"PolyData\"") == std::string_view::npos)
         refuse(path, "a surface");
     const bool whole = text.ends_with("</VTKFile>\n");
-    DescriptionLines lines(path, whole ? "surfaces of the vesicles, intact"
-                                       : "surfaces of the vesicles, NOT INTACT");
+    DescriptionLines lines(path, "surfaces of the vesicles", whole);
     lines.add("points", first_between(head, "NumberOfPoints=\"", "\""));
     lines.add("triangles", first_between(head, "NumberOfPolys=\"", "\""));
     lines.add("quantities", all_between(first_between(head, "<PointData>", "</PointData>"), "Name=\"", "\""));
     if (!whole)
         lines.add("truncated",
                   fmt::format("{} is all that is left", readable_bytes(static_cast<double>(text.size()))));
-    return lines.text();
+    return lines.description();
 }
 
-std::string describe_surface_index(const Path& path) {
+FileDescription describe_surface_index(const Path& path) {
     const std::string text = read_whole_file(path);
     if (text.find("type=\"Collection\"") == std::string::npos)
         refuse(path, "a series of surfaces");
@@ -153,11 +152,10 @@ std::string describe_surface_index(const Path& path) {
     for (const auto& file : all_between(text, "file=\"", "\""))
         if (!std::filesystem::exists(path.parent_path() / file))
             missing.push_back(file);
-    DescriptionLines lines(path, missing.empty() ? "series of surfaces for ParaView, intact"
-                                                 : "series of surfaces for ParaView, NOT INTACT");
+    DescriptionLines lines(path, "series of surfaces for ParaView", missing.empty());
     lines.add("times", readable_steps(numbers_of(all_between(text, "timestep=\"", "\""))));
     lines.add("missing", missing);
-    return lines.text();
+    return lines.description();
 }
 
 } // namespace vesica

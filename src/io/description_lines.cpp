@@ -9,6 +9,11 @@ namespace vesica {
 DescriptionLines::DescriptionLines(const std::filesystem::path& path, std::string_view heading)
     : text_(fmt::format("{}: {}\n", path.string(), heading)) {}
 
+DescriptionLines::DescriptionLines(const std::filesystem::path& path, std::string_view heading, bool intact)
+    : DescriptionLines(path, fmt::format("{}, {}", heading, intact ? "intact" : "NOT INTACT")) {
+    intact_ = intact;
+}
+
 void DescriptionLines::add(std::string_view name, std::string_view value) {
     text_ += fmt::format("  {:<12}{}\n", name, value);
 }

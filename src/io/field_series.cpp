@@ -46,7 +46,7 @@ FieldSeries FieldSeries::resume(Path run_directory, Options options, std::int64_
     return series;
 }
 
-void FieldSeries::write(std::int64_t step, std::span<const NamedField> fields) {
+Path FieldSeries::write(std::int64_t step, const Write& write) {
     const double cell = options_.scales.cell;
     FieldStep geometry;
     geometry.step = step;
@@ -54,10 +54,11 @@ void FieldSeries::write(std::int64_t step, std::span<const NamedField> fields) {
     geometry.origin = cell * options_.sampling.origin();
     geometry.spacing = cell * options_.sampling.stride;
     const Path file = run_directory_ / step_file(step);
-    FieldStep written = write_field_step(file, geometry, options_.sampling, fields, options_.compression);
+    FieldStep written = write(file, geometry);
     std::erase_if(steps_, [&](const FieldStep& known) { return known.step == step; });
     steps_.push_back(std::move(written));
     write_index();
+    return file;
 }
 
 void FieldSeries::write_index() const {

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
+#include <functional>
 #include <vector>
 
 namespace vesica {
@@ -18,9 +18,10 @@ class FieldSeries {
 public:
     struct Options {
         FieldSampling sampling;
-        Scales scales;       ///< {1, 1, 1}: lattice units
-        int compression = 1; ///< deflate level after a byte shuffle; 0: none
+        Scales scales; ///< {1, 1, 1}: lattice units
     };
+    /// write_field_step with a part of the fields for each rank.
+    using Write = std::function<FieldStep(const std::filesystem::path&, const FieldStep&)>;
 
     /// Starts a series in the run's directory. Throws RunError.
     FieldSeries(std::filesystem::path run_directory, Options options);
@@ -28,8 +29,9 @@ public:
     /// Takes over the steps up to `last_step` and removes later ones.
     static FieldSeries resume(std::filesystem::path run_directory, Options options, std::int64_t last_step);
 
-    /// Adds one step. Throws RunError; the series is then what it was.
-    void write(std::int64_t step, std::span<const NamedField> fields);
+    /// Adds one step, by handing its file's name, time and geometry to `write`; returns the file. Throws
+    /// RunError; the series is then what it was.
+    std::filesystem::path write(std::int64_t step, const Write& write);
 
 private:
     void write_index() const;

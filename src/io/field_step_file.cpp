@@ -2,102 +2,191 @@
 
 #include "core/input_error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/compressed_chunks.hpp"
 #include "io/hdf5_array.hpp"
+#include "io/placed_arrays.hpp"
+#include "parallel/agreement.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cassert>
+#include <numeric>
+#include <optional>
 
 namespace vesica {
 namespace {
 
 using Path = std::filesystem::path;
 
-/// The sampled values of one field, in single precision: pictures need no more.
-std::vector<float> sample(const NamedField& named, const FieldSampling& sampling) {
-    const DenseField& field = *named.field;
-    const auto width = static_cast<std::size_t>(field.components);
-    const auto nx = static_cast<std::size_t>(field.size.x), ny = static_cast<std::size_t>(field.size.y);
-    std::vector<float> values;
-    const Vec3<int> count = sampling.count();
-    values.reserve(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
-                   static_cast<std::size_t>(count.z) * width);
-    for (int z = sampling.begin.z; z < sampling.end.z; z += sampling.stride) {
-        for (int y = sampling.begin.y; y < sampling.end.y; y += sampling.stride) {
-            const std::size_t row = (static_cast<std::size_t>(z) * ny + static_cast<std::size_t>(y)) * nx;
-            for (int x = sampling.begin.x; x < sampling.end.x; x += sampling.stride) {
-                const double* value = &field.values[(row + static_cast<std::size_t>(x)) * width];
-                for (std::size_t c = 0; c < width; ++c)
-                    values.push_back(static_cast<float>(named.factor * value[c]));
-            }
-        }
+constexpr const char* vtk_group = "VTKHDF";
+constexpr std::uint64_t bytes_of_structure = std::uint64_t{1} << 16;
+
+std::size_t width_of(const SampledField& field) {
+    return static_cast<std::size_t>(field.components);
+}
+
+/// Slowest first, as HDF5 has it; components only where there are several.
+std::vector<hsize_t> shape_of(const Vec3<int>& size, const SampledField& field) {
+    std::vector<hsize_t> shape;
+    for (const int axis : {2, 1, 0})
+        shape.push_back(static_cast<hsize_t>(size[axis]));
+    if (field.components > 1)
+        shape.push_back(static_cast<hsize_t>(field.components));
+    return shape;
+}
+
+/// A file that grows on the rank that leads, while the others only have values for it.
+class StepFile {
+public:
+    StepFile(const Path& path, std::uint64_t bytes) : target_(path) {
+        require_space(path.parent_path(), bytes);
+        target_.try_space(bytes);
+        file_ = create_hdf5(target_.temporary(), 0, path);
+        target_.reserve(bytes);
     }
-    return values;
-}
 
-void write_field(hid_t file, const NamedField& named, const FieldSampling& sampling, int level,
-                 const Path& path) {
-    const Vec3<int> count = sampling.count();
-    std::vector<hsize_t> shape = {static_cast<hsize_t>(count.z), static_cast<hsize_t>(count.y),
-                                  static_cast<hsize_t>(count.x)};
-    if (named.field->components > 1)
-        shape.push_back(static_cast<hsize_t>(named.field->components));
-    const Hdf5Dataset array = create_array(file, named.name, H5T_IEEE_F32LE, shape, level, path);
-    const std::vector<float> values = sample(named, sampling);
-    write_rows(array, H5T_NATIVE_FLOAT, 0, shape.front(), values.data(), path);
-    write_attribute(array, "unit", named.unit.empty() ? "lattice" : named.unit, path);
-}
+    hid_t id() const { return file_; }
+    const Path& temporary() const { return target_.temporary(); }
+    const FileDescriptor& descriptor() const { return target_.descriptor(); }
+    void close() { close_hdf5(file_, target_.target()); }
+    void commit() { target_.commit(); }
 
-std::uint64_t bytes_needed(const FieldSampling& sampling, std::span<const NamedField> fields) {
-    const Vec3<int> count = sampling.count();
-    std::uint64_t components = 0;
-    for (const auto& named : fields)
-        components += static_cast<std::uint64_t>(named.field->components);
-    return components * sizeof(float) * static_cast<std::uint64_t>(count.x) *
-               static_cast<std::uint64_t>(count.y) * static_cast<std::uint64_t>(count.z) +
-           65536;
-}
+private:
+    AtomicFile target_;
+    Hdf5File file_;
+};
 
-} // namespace
-
-Vec3<int> FieldSampling::count() const {
-    Vec3<int> result;
-    for (int axis = 0; axis < 3; ++axis)
-        result[axis] = (end[axis] - begin[axis] + stride - 1) / stride;
-    return result;
-}
-
-Vec3<double> FieldSampling::origin() const {
-    Vec3<double> result;
-    for (int axis = 0; axis < 3; ++axis)
-        result[axis] = begin[axis] + 0.5 * (1 - stride);
-    return result;
-}
-
-FieldStep write_field_step(const Path& path, FieldStep geometry, const FieldSampling& sampling,
-                           std::span<const NamedField> fields, int level) {
-    const QuietHdf5 quiet;
-    // How much compression saves is not known before.
-    if (level == 0)
-        require_space(path.parent_path(), bytes_needed(sampling, fields));
-    geometry.count = sampling.count();
-    geometry.arrays.clear();
-    const Hdf5File file = create_hdf5_in_memory(path);
+/// What scripts read.
+void describe(hid_t file, const FieldStep& geometry, const Path& path) {
     write_attribute(file, "step", geometry.step, path);
     write_attribute(file, "time", std::array{geometry.time}, path);
     write_attribute(file, "origin", std::array{geometry.origin.x, geometry.origin.y, geometry.origin.z},
                     path);
     write_attribute(file, "spacing", std::array{geometry.spacing}, path);
-    for (const NamedField& named : fields) {
-        assert(named.field->values.size() == static_cast<std::size_t>(named.field->size.x) *
-                                                 static_cast<std::size_t>(named.field->size.y) *
-                                                 static_cast<std::size_t>(named.field->size.z) *
-                                                 static_cast<std::size_t>(named.field->components));
-        write_field(file, named, sampling, level, path);
-        geometry.arrays.push_back({named.name, named.field->components});
+}
+
+/// What vtkHDFReader reads. Its version of VTK 9.1 cannot read values of cells.
+void describe_to_vtk(hid_t file, const FieldStep& geometry, const Path& path) {
+    const Hdf5Group image = create_group(file, vtk_group, path);
+    const auto last = [&](int axis) {
+        return std::int64_t{geometry.count[axis]} - 1;
+    };
+    const double d = geometry.spacing;
+    const Vec3<double> first = geometry.origin + Vec3<double>{0.5 * d, 0.5 * d, 0.5 * d};
+    write_attribute(image, "Version", std::array<std::int64_t, 2>{1, 0}, path);
+    write_attribute(image, "Type", std::string("ImageData"), path);
+    write_attribute(image, "WholeExtent", std::array<std::int64_t, 6>{0, last(0), 0, last(1), 0, last(2)},
+                    path);
+    write_attribute(image, "Origin", std::array{first.x, first.y, first.z}, path);
+    write_attribute(image, "Spacing", std::array{d, d, d}, path);
+    write_attribute(image, "Direction", std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, path);
+    const Hdf5Group values = create_group(image, "PointData", path);
+    for (const FieldStep::Array& array : geometry.arrays)
+        hdf5_checked(
+            H5Lcreate_hard(file, array.name.c_str(), values, array.name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+            path, "cannot write");
+}
+
+void write_unit(hid_t array, const SampledField& field, const Path& path) {
+    write_attribute(array, "unit", field.unit.empty() ? std::string("lattice") : field.unit, path);
+}
+
+void write_plainly(const Path& path, const FieldStep& geometry, const FieldWriting& writing,
+                   std::span<const SampledField> fields, const Ranks& ranks) {
+    std::optional<StepFile> file;
+    PlacedArrays places;
+    agree(ranks, [&] {
+        if (!ranks.leads())
+            return;
+        std::uint64_t bytes = bytes_of_structure;
+        for (const SampledField& field : fields)
+            bytes += static_cast<std::uint64_t>(CellBox{{}, writing.count}.volume()) * width_of(field) *
+                     sizeof(float);
+        file.emplace(path, bytes);
+        describe(file->id(), geometry, path);
+        places = {file->temporary(), path, {}};
+        for (const SampledField& field : fields) {
+            places.offsets.push_back(
+                place_array(file->id(), field.name, H5T_IEEE_F32LE, shape_of(writing.count, field), path));
+            write_unit(open_array(file->id(), field.name, path), field, path);
+        }
+        describe_to_vtk(file->id(), geometry, path);
+        file->close();
+        synchronise(file->descriptor(), path); // for those who write it on other machines
+    });
+    places = broadcast(ranks, places);
+    fill_placed(places, ranks, [&](const FileDescriptor& into, std::size_t array) {
+        write_part(into, places.offsets[array], writing.count, writing.part,
+                   width_of(fields[array]) * sizeof(float), std::as_bytes(std::span(fields[array].values)),
+                   places.target);
+    });
+    agree(ranks, [&] {
+        if (file)
+            file->commit();
+    });
+}
+
+void write_compressed(const Path& path, const FieldStep& geometry, const FieldWriting& writing,
+                      std::span<const SampledField> fields, const Ranks& ranks) {
+    std::vector<CompressedChunks> compressed;
+    std::uint64_t bytes = 0;
+    for (const SampledField& field : fields) {
+        compressed.emplace_back(writing.count, width_of(field), sizeof(float), writing.part,
+                                std::as_bytes(std::span(field.values)), writing.compression, writing.threads,
+                                ranks);
+        constexpr std::uint64_t page = 4096; // which chunks begin at
+        bytes +=
+            compressed.back().bytes() + page * static_cast<std::uint64_t>(compressed.back().layout().count());
     }
-    write_atomically(path, hdf5_bytes(file, path));
+    ranks.sum({&bytes, 1});
+    std::optional<StepFile> file;
+    std::vector<Hdf5Dataset> arrays;
+    agree(ranks, [&] {
+        if (!ranks.leads())
+            return;
+        file.emplace(path, bytes + bytes_of_structure);
+        describe(file->id(), geometry, path);
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            arrays.push_back(create_chunked_array(
+                file->id(), fields[k].name, H5T_IEEE_F32LE, shape_of(writing.count, fields[k]),
+                shape_of(compressed[k].layout().edges(), fields[k]), writing.compression, path));
+            write_unit(arrays.back(), fields[k], path);
+        }
+        describe_to_vtk(file->id(), geometry, path);
+    });
+    for (std::size_t k = 0; k < fields.size(); ++k)
+        agree(ranks, [&] {
+            compressed[k].gather(ranks, [&](std::int64_t chunk, std::string_view deflated) {
+                std::vector<hsize_t> begin = shape_of(compressed[k].layout().begin(chunk), fields[k]);
+                begin.resize(3);
+                if (fields[k].components > 1)
+                    begin.push_back(0);
+                write_chunk(arrays[k], begin, deflated, path);
+            });
+        });
+    agree(ranks, [&] {
+        if (!file)
+            return;
+        for (Hdf5Dataset& array : arrays)
+            hdf5_checked(array.close(), path, "cannot write");
+        file->close();
+        file->commit();
+    });
+}
+
+} // namespace
+
+FieldStep write_field_step(const Path& path, FieldStep geometry, const FieldWriting& writing,
+                           std::span<const SampledField> fields, const Ranks& ranks) {
+    const QuietHdf5 quiet;
+    geometry.count = writing.count;
+    geometry.arrays.clear();
+    for (const SampledField& field : fields) {
+        assert(field.values.size() == static_cast<std::size_t>(writing.part.volume()) * width_of(field));
+        geometry.arrays.push_back({field.name, field.components});
+    }
+    (writing.compression > 0 ? write_compressed : write_plainly)(path, geometry, writing, fields, ranks);
     return geometry;
 }
 
@@ -115,7 +204,9 @@ FieldStep read_field_step(const Path& path) {
     found.origin = {origin[0], origin[1], origin[2]};
     found.spacing = spacing[0];
     for (const std::string& name : names_in(file, path)) {
-        const auto shape = shape_of(open_array(file, name, path), path);
+        if (name == vtk_group)
+            continue;
+        const auto shape = vesica::shape_of(open_array(file, name, path), path);
         if (shape.size() < 3)
             throw RunError(fmt::format("{}: {} is not a field", path.string(), name));
         found.count = {static_cast<int>(shape[2]), static_cast<int>(shape[1]), static_cast<int>(shape[0])};

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "case/dense_field.hpp"
-#include "core/vec3.hpp"
+#include "io/field_samples.hpp"
+#include "parallel/ranks.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -10,26 +10,6 @@
 #include <vector>
 
 namespace vesica {
-
-/// One field of one output.
-struct NamedField {
-    std::string name;
-    const DenseField* field = nullptr; ///< the whole box
-    double factor = 1.0;               ///< written value / lattice value
-    std::string unit;                  ///< of the written value; empty: lattice units
-};
-
-/// Which cells are written: i = begin, begin + stride, ... below end, along each axis.
-struct FieldSampling {
-    Vec3<int> begin{};
-    Vec3<int> end{};
-    int stride = 1;
-
-    Vec3<int> count() const;
-    /// Lower corner of the first sample in cells. A sample stands for a cube as wide as the stride around its
-    /// cell's centre, so that with stride 1 cell i spans [i, i + 1).
-    Vec3<double> origin() const;
-};
 
 /// What the picture of a series needs to know of one step's file.
 struct FieldStep {
@@ -45,11 +25,26 @@ struct FieldStep {
     std::vector<Array> arrays;
 };
 
-/// Writes one HDF5 file, whole or not at all: single precision, arrays [z][y][x] or [z][y][x][component] in
-/// the root group. `level`: 0 none, 1..9 deflate. `geometry` holds step, time, origin and spacing as they
-/// shall stand in the file; its count and arrays are filled in from the fields and returned. Throws RunError.
-FieldStep write_field_step(const std::filesystem::path& path, FieldStep geometry,
-                           const FieldSampling& sampling, std::span<const NamedField> fields, int level);
+/// How the ranks write it.
+struct FieldWriting {
+    Vec3<int> count{};   ///< samples of all ranks together
+    CellBox part{};      ///< this rank's
+    int compression = 1; ///< deflate level after a byte shuffle, 1..9; 0: none
+    int threads = 1;
+};
+
+/// Writes one HDF5 file, whole or not at all, by all ranks together, each of which has its part of the
+/// samples: single precision, arrays [z][y][x] or [z][y][x][component] in the root group, and links to them
+/// in a group VTKHDF, by which VTK opens the file as an image whose points are the samples' centres. The same
+/// bytes however many ranks there are.
+///
+/// Without compression each rank writes its part by itself. Compressed chunks have to go through HDF5 and so
+/// through the rank that leads, share by share; it is the compressing that takes the time, and all take part.
+///
+/// On the rank that leads `geometry` holds step, time, origin and spacing as they shall stand in the file;
+/// its count and arrays are filled in from the fields and returned. Throws RunError, on all ranks.
+FieldStep write_field_step(const std::filesystem::path& path, FieldStep geometry, const FieldWriting& writing,
+                           std::span<const SampledField> fields, const Ranks& ranks);
 
 /// Reads all but the values. Throws RunError.
 FieldStep read_field_step(const std::filesystem::path& path);

@@ -119,21 +119,42 @@ Hdf5Group create_group(hid_t parent, const std::string& name, const std::filesys
     return Hdf5Group(hdf5_checked(id, path, cannot_write));
 }
 
+Hdf5Group open_group(hid_t parent, const std::string& name, const std::filesystem::path& path) {
+    const hid_t id = H5Gopen2(parent, name.c_str(), H5P_DEFAULT);
+    if (id < 0)
+        throw RunError(fmt::format("{}: lacks the group {}", path.string(), name));
+    return Hdf5Group(id);
+}
+
 Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type,
                          const std::vector<hsize_t>& shape, int level, const std::filesystem::path& path) {
-    const Hdf5Properties creation(H5Pcreate(H5P_DATASET_CREATE));
     if (level > 0 && !is_empty(shape)) {
         std::vector<hsize_t> chunk = shape;
         hsize_t plane = H5Tget_size(stored_type);
         for (std::size_t i = 1; i < chunk.size(); ++i)
             plane *= chunk[i];
         chunk.front() = std::clamp<hsize_t>((hsize_t{1} << 20) / plane, 1, shape.front());
-        hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path,
-                     cannot_write);
-        hdf5_checked(H5Pset_shuffle(creation), path, cannot_write);
-        hdf5_checked(H5Pset_deflate(creation, static_cast<unsigned>(level)), path, cannot_write);
+        return create_chunked_array(parent, name, stored_type, shape, chunk, level, path);
     }
+    const Hdf5Properties creation(H5Pcreate(H5P_DATASET_CREATE));
     return create_dataset(parent, name, stored_type, shape, creation, path);
+}
+
+Hdf5Dataset create_chunked_array(hid_t parent, const std::string& name, hid_t stored_type,
+                                 const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk,
+                                 int level, const std::filesystem::path& path) {
+    const Hdf5Properties creation(H5Pcreate(H5P_DATASET_CREATE));
+    hdf5_checked(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path, cannot_write);
+    hdf5_checked(H5Pset_shuffle(creation), path, cannot_write);
+    hdf5_checked(H5Pset_deflate(creation, static_cast<unsigned>(level)), path, cannot_write);
+    return create_dataset(parent, name, stored_type, shape, creation, path);
+}
+
+void write_chunk(hid_t dataset, const std::vector<hsize_t>& begin, std::string_view bytes,
+                 const std::filesystem::path& path) {
+    constexpr std::uint32_t all_filters = 0;
+    hdf5_checked(H5Dwrite_chunk(dataset, H5P_DEFAULT, all_filters, begin.data(), bytes.size(), bytes.data()),
+                 path, cannot_write);
 }
 
 std::uint64_t place_array(hid_t parent, const std::string& name, hid_t stored_type,
@@ -218,6 +239,13 @@ std::vector<std::string> names_in(hid_t group, const std::filesystem::path& path
 void write_attribute(hid_t object, const char* name, std::int64_t value, const std::filesystem::path& path) {
     const Hdf5Space space(H5Screate(H5S_SCALAR));
     write_attribute_of(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, space, &value, path);
+}
+
+void write_attribute(hid_t object, const char* name, std::span<const std::int64_t> values,
+                     const std::filesystem::path& path) {
+    const hsize_t count = values.size();
+    const Hdf5Space space(H5Screate_simple(1, &count, nullptr));
+    write_attribute_of(object, name, H5T_STD_I64LE, H5T_NATIVE_INT64, space, values.data(), path);
 }
 
 void write_attribute(hid_t object, const char* name, std::span<const double> values,

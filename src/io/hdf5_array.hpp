@@ -30,10 +30,19 @@ Hdf5File open_hdf5(const std::filesystem::path& path);
 void close_hdf5(Hdf5File& file, const std::filesystem::path& path);
 
 Hdf5Group create_group(hid_t parent, const std::string& name, const std::filesystem::path& path);
+Hdf5Group open_group(hid_t parent, const std::string& name, const std::filesystem::path& path);
 
 /// `level` 0: contiguous; 1..9: in chunks of whole x-y planes of about 1 MB, shuffled and deflated.
 Hdf5Dataset create_array(hid_t parent, const std::string& name, hid_t stored_type,
                          const std::vector<hsize_t>& shape, int level, const std::filesystem::path& path);
+
+/// In chunks of this shape, shuffled and deflated, which are written one by one.
+Hdf5Dataset create_chunked_array(hid_t parent, const std::string& name, hid_t stored_type,
+                                 const std::vector<hsize_t>& shape, const std::vector<hsize_t>& chunk,
+                                 int level, const std::filesystem::path& path);
+/// Writes the chunk that begins there, as its filters have left it.
+void write_chunk(hid_t dataset, const std::vector<hsize_t>& begin, std::string_view bytes,
+                 const std::filesystem::path& path);
 
 /// Creates an array without values and returns where in the file they belong, in one piece, in C order.
 std::uint64_t place_array(hid_t parent, const std::string& name, hid_t stored_type,
@@ -65,6 +74,8 @@ std::vector<hsize_t> shape_of(hid_t dataset, const std::filesystem::path& path);
 std::vector<std::string> names_in(hid_t group, const std::filesystem::path& path);
 
 void write_attribute(hid_t object, const char* name, std::int64_t value, const std::filesystem::path& path);
+void write_attribute(hid_t object, const char* name, std::span<const std::int64_t> values,
+                     const std::filesystem::path& path);
 void write_attribute(hid_t object, const char* name, std::span<const double> values,
                      const std::filesystem::path& path);
 void write_attribute(hid_t object, const char* name, const std::string& text,

@@ -1,6 +1,7 @@
 #include "io/run_summary.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/description_lines.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -83,7 +84,47 @@ Json parallel_of(const ParallelSummary& parallel) {
             {"ranks", std::move(ranks)}};
 }
 
+Json kind_of(const OutputSummary::Kind& kind) {
+    return {{"files", kind.files}, {"bytes", number(kind.bytes)}, {"seconds", number(kind.seconds)}};
+}
+
+Json output_of(const OutputSummary& output) {
+    Json all = kind_of(output.total());
+    all["share"] = number(output.share());
+    for (const auto& [name, kind] : output.kinds)
+        all["kinds"][name] = kind_of(kind);
+    return all;
+}
+
 } // namespace
+
+OutputSummary::Kind OutputSummary::total() const {
+    Kind all;
+    for (const auto& [name, kind] : kinds) {
+        all.files += kind.files;
+        all.bytes += kind.bytes;
+        all.seconds += kind.seconds;
+    }
+    return all;
+}
+
+double OutputSummary::share() const {
+    return run_seconds > 0.0 ? total().seconds / run_seconds : 0.0;
+}
+
+std::string OutputSummary::text() const {
+    const auto words = [](const Kind& kind) {
+        return fmt::format("{} file{}, {}, {:.1f} s", kind.files, kind.files == 1 ? "" : "s",
+                           readable_bytes(kind.bytes), kind.seconds);
+    };
+    std::string text = fmt::format("output: {} = {:.1f} % of the run", words(total()), 100.0 * share());
+    std::string separator = " (";
+    for (const auto& [name, kind] : kinds) {
+        text += fmt::format("{}{}: {}", separator, name, words(kind));
+        separator = "; ";
+    }
+    return text + (kinds.empty() ? "" : ")");
+}
 
 double ParallelSummary::imbalance() const {
     double most = 0.0;
@@ -133,6 +174,7 @@ void write_summary(const std::filesystem::path& path, const RunSummary& summary)
         json["parallel"] = parallel_of(summary.parallel);
     json["mlups"] = number(summary.mlups);
     json["seconds"] = numbers(summary.seconds);
+    json["output"] = output_of(summary.output);
     json["profile"] = numbers(summary.profile);
     json["versions"] = summary.versions;
     json["scales"] = scales_of(summary);

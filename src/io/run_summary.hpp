@@ -42,6 +42,22 @@ struct ParallelSummary {
     std::string text() const;     ///< a line for people
 };
 
+/// What output took, by kind: fields, surfaces, ...
+struct OutputSummary {
+    struct Kind {
+        std::int64_t files = 0; ///< begun; a table that grows is one
+        double bytes = 0.0;     ///< written, of files that were replaced since too
+        double seconds = 0.0;   ///< of gathering and writing
+    };
+
+    std::map<std::string, Kind> kinds;
+    double run_seconds = 0.0; ///< of stepping and output together
+
+    Kind total() const;
+    double share() const;     ///< of the run's time
+    std::string text() const; ///< a line for people
+};
+
 /// What summary.json tells of a run.
 struct RunSummary {
     std::string title;
@@ -60,8 +76,9 @@ struct RunSummary {
     int ranks = 1;
     ParallelSummary parallel;
     double bytes_allocated = 0.0;
-    double mlups = 0.0;                          ///< million lattice updates per second of stepping
-    std::map<std::string, double> seconds;       ///< wall time by what it was spent on
+    double mlups = 0.0;                    ///< million lattice updates per second of stepping
+    std::map<std::string, double> seconds; ///< wall time by what it was spent on
+    OutputSummary output;
     std::map<std::string, double> profile;       ///< of the steps: seconds by part, costs of a cell
     std::map<std::string, std::string> versions; ///< vesica, compiler, hdf5, ...
 

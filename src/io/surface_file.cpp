@@ -66,10 +66,18 @@ std::vector<float> quantity_of(std::span<const SurfaceArrays> surfaces, std::siz
         assert(quantity.name == surfaces.front().quantities[index].name);
         assert(quantity.values.size() ==
                surface.points.size() * static_cast<std::size_t>(quantity.components));
-        for (const double value : quantity.values)
-            values.push_back(static_cast<float>(value));
+        values.insert(values.end(), quantity.values.begin(), quantity.values.end());
     }
     return values;
+}
+
+/// Which quantity are the normals, by which VTK shades a surface smoothly.
+std::string normals_of(std::span<const SurfaceArrays> surfaces) {
+    if (!surfaces.empty())
+        for (const SurfaceQuantity& quantity : surfaces.front().quantities)
+            if (quantity.name == "normal")
+                return " Normals=\"normal\"";
+    return {};
 }
 
 /// The triangles' corners, counted through all surfaces; the end of each triangle in them; each triangle's
@@ -107,8 +115,8 @@ void write_surface_file(const std::filesystem::path& path, std::span<const Surfa
     text += array_tag(data, "TimeValue", 1, std::vector<double>{time}, " NumberOfTuples=\"1\"");
     text += array_tag(data, "step", 1, std::vector<std::int64_t>{step}, " NumberOfTuples=\"1\"");
     text += fmt::format("</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-                        "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<PointData>\n",
-                        points.size() / 3, triangles.offsets.size());
+                        "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<PointData{}>\n",
+                        points.size() / 3, triangles.offsets.size(), normals_of(surfaces));
     if (!surfaces.empty()) {
         for (std::size_t i = 0; i < surfaces.front().quantities.size(); ++i) {
             const SurfaceQuantity& quantity = surfaces.front().quantities[i];

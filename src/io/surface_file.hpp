@@ -15,7 +15,7 @@ namespace vesica {
 struct SurfaceQuantity {
     std::string name;
     int components = 1;
-    std::vector<double> values;
+    std::vector<float> values;
 };
 
 /// One vesicle's surface: points in the file's unit of length, triangles with outward normals by the right

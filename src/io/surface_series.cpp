@@ -35,15 +35,16 @@ SurfaceSeries SurfaceSeries::resume(const std::filesystem::path& run_directory, 
     return series;
 }
 
-void SurfaceSeries::write(std::int64_t step, std::vector<SurfaceArrays> surfaces) {
+std::filesystem::path SurfaceSeries::write(std::int64_t step, std::vector<SurfaceArrays> surfaces) {
     for (auto& surface : surfaces)
         for (auto& point : surface.points)
             point = scales_.cell * point;
-    write_surface_file(directory_ / surface_name(step), surfaces, step,
-                       static_cast<double>(step) * scales_.step);
+    const std::filesystem::path file = directory_ / surface_name(step);
+    write_surface_file(file, surfaces, step, static_cast<double>(step) * scales_.step);
     if (std::find(steps_.begin(), steps_.end(), step) == steps_.end())
         steps_.push_back(step);
     write_index();
+    return file;
 }
 
 void SurfaceSeries::write_index() const {

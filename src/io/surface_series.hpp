@@ -21,8 +21,8 @@ public:
     static SurfaceSeries resume(const std::filesystem::path& run_directory, Scales scales,
                                 std::int64_t last_step);
 
-    /// Adds one step; points in cells. Throws RunError; the series is then what it was.
-    void write(std::int64_t step, std::vector<SurfaceArrays> surfaces);
+    /// Adds one step; points in cells. Returns the file. Throws RunError; the series is then what it was.
+    std::filesystem::path write(std::int64_t step, std::vector<SurfaceArrays> surfaces);
 
 private:
     void write_index() const;

@@ -28,7 +28,8 @@ struct InterfaceCell {
     double density = 1.0; ///< rho
     Vec3<double> u{};     ///< velocity
     double bending_force = 0.0; ///< per membrane area along n
-    double tension_force = 0.0; ///< -2 (sigma + sigma_A) H0
+    double tension_force = 0.0; ///< likewise: -2 sigma H0, of the constant tension
+    double area_force = 0.0;    ///< likewise: -2 sigma_A H0, of what holds the area
     Vec3<double> force{};       ///< of the membrane on the fluid, per volume
     double weight = 0.0; ///< (beta/2)(1 - phi^2): sum of weight * q approximates int q dA over the layer
     /// From the membrane to the obstacle beside this cell; infinite where there is none.

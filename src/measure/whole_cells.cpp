@@ -41,6 +41,7 @@ InterfaceCell between(const InterfaceCell& a, const InterfaceCell& b, double t, 
     cell.u = mean(a.u, b.u);
     cell.bending_force = mean(a.bending_force, b.bending_force);
     cell.tension_force = mean(a.tension_force, b.tension_force);
+    cell.area_force = mean(a.area_force, b.area_force);
     cell.force = mean(a.force, b.force);
     cell.weight = 0.5 * beta * (1.0 - cell.phi * cell.phi);
     cell.has_geometry = a.has_geometry && b.has_geometry;

@@ -17,6 +17,7 @@ namespace {
 /// Messages longer than an int counts go in pieces.
 constexpr std::size_t piece = std::size_t{1} << 30;
 constexpr int gather_tag = 1;
+constexpr int exchange_tag = 2;
 
 struct Launcher {
     const char* size;
@@ -146,6 +147,37 @@ void Ranks::gather(std::span<const std::byte> bytes,
         });
         take(from, part);
     }
+}
+
+std::vector<std::vector<std::byte>> Ranks::exchange(std::vector<std::vector<std::byte>> parts) const {
+    if (!communicator_)
+        return parts;
+    const MPI_Comm group = communicator_->handle;
+    const auto own = static_cast<std::size_t>(rank_);
+    std::vector<std::uint64_t> leaving, coming(parts.size());
+    for (const auto& part : parts)
+        leaving.push_back(part.size());
+    MPI_Alltoall(leaving.data(), 1, MPI_UINT64_T, coming.data(), 1, MPI_UINT64_T, group);
+    std::vector<std::vector<std::byte>> arrived(parts.size());
+    std::vector<MPI_Request> requests;
+    for (std::size_t from = 0; from < parts.size(); ++from) {
+        if (from == own)
+            continue;
+        arrived[from].resize(coming[from]);
+        for_each_piece(coming[from], [&](std::size_t begin, int count) {
+            MPI_Irecv(arrived[from].data() + begin, count, MPI_BYTE, static_cast<int>(from), exchange_tag,
+                      group, &requests.emplace_back());
+        });
+    }
+    for (std::size_t to = 0; to < parts.size(); ++to)
+        if (to != own)
+            for_each_piece(parts[to].size(), [&](std::size_t begin, int count) {
+                MPI_Isend(parts[to].data() + begin, count, MPI_BYTE, static_cast<int>(to), exchange_tag,
+                          group, &requests.emplace_back());
+            });
+    arrived[own] = std::move(parts[own]);
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    return arrived;
 }
 
 std::vector<std::byte> Ranks::gather_to_all(std::span<const std::byte> bytes) const {

@@ -60,6 +60,10 @@ public:
     void gather(std::span<const std::byte> bytes,
                 const std::function<void(int, std::span<const std::byte>)>& take) const;
 
+    /// What each has for each of the others, and for itself, to them: parts[rank] goes to `rank`; returned by
+    /// the ranks it came from.
+    std::vector<std::vector<std::byte>> exchange(std::vector<std::vector<std::byte>> parts) const;
+
     /// To all: what each has, which must be equally long.
     std::vector<std::byte> gather_to_all(std::span<const std::byte> bytes) const;
 

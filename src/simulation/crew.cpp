@@ -23,6 +23,11 @@ public:
         post_.announce(Order::snapshot);
         return post_.together([&] { return own().snapshot(); });
     }
+    std::vector<VesicleSnapshot> vesicles(int first, int count) const override {
+        post_.announce(Order::vesicles);
+        return post_.vesicles(first, count);
+    }
+    FieldPart own_field(std::string_view name) const override { return own().own_field(name); }
     DenseField field(std::string_view name) const override {
         post_.announce(Order::field);
         return post_.field(std::string(name));
@@ -54,6 +59,36 @@ public:
 private:
     Engine& own() const { return post_.engine(); }
 
+    CrewPost& post_;
+};
+
+/// Each call is an order.
+class OrderedFields final : public FieldCrew {
+public:
+    explicit OrderedFields(CrewPost& post) : post_(post) {}
+
+    void sample() override { post_.all(Order::sample_fields); }
+    FieldStep write(const std::filesystem::path& path, const FieldStep& geometry) override {
+        return post_.together([&] {
+            post_.announce(Order::write_fields);
+            return post_.fields().write(path, geometry, post_.engine());
+        });
+    }
+    FieldSums sums() const override { return post_.fields().sums(); }
+    void keep(const PlacedArrays& places) override {
+        post_.together([&] {
+            post_.announce(Order::keep_fields);
+            post_.fields().keep(places);
+        });
+    }
+    void restore(const std::filesystem::path& checkpoint, int samples) override {
+        post_.together([&] {
+            post_.announce(Order::restore_fields);
+            post_.fields().restore(checkpoint, samples, post_.engine());
+        });
+    }
+
+private:
     CrewPost& post_;
 };
 
@@ -100,6 +135,10 @@ void Crew::load(const std::filesystem::path& checkpoint, const StateChange& chan
 
 ParallelSummary Crew::report() {
     return post_->shared_out().summary;
+}
+
+std::unique_ptr<FieldCrew> Crew::fields() {
+    return std::make_unique<OrderedFields>(*post_);
 }
 
 void Crew::write_state(const StateFile& file, const StatePlanes& own_part) {

@@ -6,6 +6,7 @@
 #include "parallel/ranks.hpp"
 #include "simulation/block_plan.hpp"
 #include "simulation/engine.hpp"
+#include "simulation/field_work.hpp"
 #include "simulation/start_state.hpp"
 
 #include <memory>
@@ -44,6 +45,9 @@ public:
 
     /// How the work was shared out and what travelled, since the engine was built.
     ParallelSummary report();
+
+    /// What all ranks do for the case's fields.
+    std::unique_ptr<FieldCrew> fields();
 
     void write_state(const StateFile& file, const StatePlanes& own_part) override;
     Digest digest(const std::filesystem::path& file, std::uint64_t offset, std::uint64_t length,

@@ -61,6 +61,9 @@ void CrewPost::carry_out(Order order) {
     case Order::snapshot:
         together([&] { engine_->snapshot(); });
         break;
+    case Order::vesicles:
+        vesicles(0, 0);
+        break;
     case Order::field:
         field({});
         break;
@@ -72,6 +75,18 @@ void CrewPost::carry_out(Order order) {
         break;
     case Order::write:
         write({}, nullptr);
+        break;
+    case Order::sample_fields:
+        together([&] { fields_->sample(*engine_); });
+        break;
+    case Order::write_fields:
+        together([&] { fields_->write({}, {}, *engine_); });
+        break;
+    case Order::keep_fields:
+        together([&] { fields_->keep({}); });
+        break;
+    case Order::restore_fields:
+        together([&] { fields_->restore({}, 0, *engine_); });
         break;
     case Order::digest:
         digest({}, 0, 0, {});
@@ -108,6 +123,7 @@ void CrewPost::build(const std::string& case_text, const std::string& name, cons
     blocks_ = layout.blocks();
     neighbourhood_ = std::make_shared<const Neighbourhood>(ranks_, layout);
     engine_ = make_engine(what.parameters, threads, neighbourhood_);
+    fields_.emplace(what, threads, ranks_);
     before_stepping_ = engine_->traffic();
 }
 
@@ -139,6 +155,11 @@ void CrewPost::load(const std::string& checkpoint, const StateChange& change) {
 DenseField CrewPost::field(const std::string& name) {
     const std::string text = ranks_.broadcast(name);
     return together([&] { return engine_->field(text); });
+}
+
+std::vector<VesicleSnapshot> CrewPost::vesicles(int first, int count) {
+    const std::array<int, 2> range = broadcast_value(ranks_, std::array{first, count});
+    return together([&] { return engine_->vesicles(range[0], range[1]); });
 }
 
 std::vector<Vec3<double>> CrewPost::velocities(const std::vector<Vec3<double>>& places) {

@@ -16,10 +16,15 @@ enum class Order : std::int32_t {
     load,
     step,
     snapshot,
+    vesicles,
     field,
     velocities,
     trouble,
     write,
+    sample_fields,
+    write_fields,
+    keep_fields,
+    restore_fields,
     digest,
     threads,
     report,
@@ -41,6 +46,7 @@ public:
 
     const Ranks& ranks() const { return ranks_; }
     Engine& engine() const { return *engine_; }
+    FieldWork& fields() { return *fields_; }
 
     /// For what ranks do together. What all have agreed cannot be done, all throw; should one fail by itself
     /// in the middle, the others would wait for ever, and all end at once.
@@ -75,6 +81,7 @@ public:
     Digest digest(const std::string& file, std::uint64_t offset, std::uint64_t length,
                   const std::string& target);
     DenseField field(const std::string& name);
+    std::vector<VesicleSnapshot> vesicles(int first, int count);
     std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places);
     SharedOut shared_out();
 
@@ -87,6 +94,7 @@ private:
     Vec3<int> blocks_{};
     std::shared_ptr<const Neighbourhood> neighbourhood_;
     std::unique_ptr<Engine> engine_;
+    std::optional<FieldWork> fields_;
     RankTraffic before_stepping_;
 };
 

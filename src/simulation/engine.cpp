@@ -64,11 +64,19 @@ std::unique_ptr<StatePlanes> Engine::planes() const {
     return std::make_unique<SavedPlanes>(save());
 }
 
+std::vector<VesicleSnapshot> Engine::vesicles(int first, int count) const {
+    std::vector<VesicleSnapshot> all = snapshot().vesicles;
+    if (all.empty())
+        return all;
+    return {std::make_move_iterator(all.begin() + first),
+            std::make_move_iterator(all.begin() + first + count)};
+}
+
 const std::vector<std::string>& field_names() {
     static const std::vector<std::string> names{
         "phase",         "density",        "velocity",           "pressure",
         "force",         "mean_curvature", "gaussian_curvature", "normal",
-        "bending_force", "tension_force"};
+        "bending_force", "tension_force",  "area_force"};
     return names;
 }
 

@@ -24,6 +24,12 @@ struct Trouble {
     std::string cause; ///< density, speed, force or tension, with the number found and the one expected
 };
 
+/// The cells of a field that one rank has: its block, from `begin` on, with what lies behind walls.
+struct FieldPart {
+    Vec3<int> begin{};
+    DenseField cells;
+};
+
 /// What a rank has sent to its neighbours since its engine was built.
 struct RankTraffic {
     std::int64_t population_messages = 0;
@@ -47,11 +53,15 @@ public:
 
     /// Of the whole box, for the rank that leads; the others have no vesicles in theirs.
     virtual Snapshot snapshot() const = 0;
+    /// Some of its vesicles, so that nobody need hold all of them at once.
+    virtual std::vector<VesicleSnapshot> vesicles(int first, int count) const;
 
     /// `name` is one of field_names(): phase, density, velocity, pressure, force, mean_curvature,
     /// gaussian_curvature, ... ; whole box for the rank that leads, empty for the others. Quantities that
     /// exist near the interface only are 0 elsewhere.
     virtual DenseField field(std::string_view name) const = 0;
+    /// This rank's part of it, by itself.
+    virtual FieldPart own_field(std::string_view name) const { return {{}, field(name)}; }
 
     /// The fluid's velocities at points, which need not lie in the box but in any of its images; between the
     /// cells around by their distances. NaN where there is no fluid. All ranks ask for the same.

@@ -71,7 +71,7 @@ DenseField LatticeEngine<Real>::gathered(const DenseField& part) const {
 
 template <class Real>
 DenseField LatticeEngine<Real>::field(std::string_view name) const {
-    return cropped(gathered(own_field(name)));
+    return cropped(gathered(field_of_block(name)));
 }
 
 /// Without the walls' layers.
@@ -94,7 +94,7 @@ DenseField LatticeEngine<Real>::cropped(DenseField field) const {
 }
 
 template <class Real>
-DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
+DenseField LatticeEngine<Real>::field_of_block(std::string_view name) const {
     const Vec3<int> size = grid_.size();
     const bool vector = name == "velocity" || name == "force" || name == "normal";
     DenseField field{size, vector ? 3 : 1, {}};
@@ -174,7 +174,7 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
         fill_level(reach::curvature, alone(values));
     } else if (name == "gaussian_curvature") {
         fill_level(reach::curvature, alone(layer.K0));
-    } else if (name == "bending_force" || name == "tension_force") {
+    } else if (name == "bending_force" || name == "tension_force" || name == "area_force") {
         std::vector<Real> values(layer.s.size(), Real(0));
         for (const std::int32_t index : layer_.band().of_level(reach::force)) {
             const BandTile& t = layer_.band().tiles()[static_cast<std::size_t>(index)];
@@ -186,7 +186,8 @@ DenseField LatticeEngine<Real>::own_field(std::string_view name) const {
                     return law.force(H, K, layer_.laplace_beltrami_of_H(TileRun<Real>{&t}));
                 },
                 membrane.bending);
-            const V value = name == "bending_force" ? bending : TensionLaw{membrane.tension()}.force(H);
+            const double tension = name == "area_force" ? membrane.constraint_tension : membrane.sigma;
+            const V value = name == "bending_force" ? bending : TensionLaw{tension}.force(H);
             value.store(values.data() + t.slot());
         }
         fill_level(reach::force, alone(values));

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "simulation/lattice_engine.hpp"
+#include "simulation/engine_middles.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <tuple>
 
@@ -47,26 +46,6 @@ inline Vec3<int> cell_of(const InterfaceCell& cell) {
             static_cast<int>(cell.position.z)};
 }
 
-/// A mean of positions that counts a box's periodic images as one: each adds its direction round the box.
-class CircularMean {
-public:
-    explicit CircularMean(double period) : turn_(2.0 * std::numbers::pi / period) {}
-
-    void add(double place, double count) {
-        sine_ += count * std::sin(turn_ * place);
-        cosine_ += count * std::cos(turn_ * place);
-    }
-    double value() const {
-        const double angle = std::atan2(sine_, cosine_) / turn_;
-        return angle < 0.0 ? angle + 2.0 * std::numbers::pi / turn_ : angle;
-    }
-
-private:
-    double turn_;
-    double sine_ = 0.0;
-    double cosine_ = 0.0;
-};
-
 } // namespace detail
 
 template <class Real>
@@ -80,59 +59,6 @@ struct LatticeEngine<Real>::LabelledSpan {
     int label = 0;
     InsideSpan span;
 };
-
-/// A point near each vesicle's middle: the circular mean of its core's cells, so that periodic images do not
-/// matter. They are counted plane by plane: the same bits however the box is shared out.
-template <class Real>
-std::vector<Vec3<double>> LatticeEngine<Real>::middles() const {
-    const Vec3<int> box = block_.box;
-    const auto for_each_core_cell = [&](const auto& body) {
-        for (const BandTile& t : layer_.band().tiles())
-            for (int k = 0; k < tile_width; ++k)
-                if ((t.bits[0] >> k & 1) != 0)
-                    body(static_cast<std::size_t>(t.label),
-                         grid_.tile_origin(t.tile) + block_.own.begin + Vec3<int>{k, 0, 0});
-    };
-    const std::size_t begins[3] = {0, static_cast<std::size_t>(box.x),
-                                   static_cast<std::size_t>(box.x + box.y)};
-    const std::size_t planes = begins[2] + static_cast<std::size_t>(box.z);
-    std::vector<Vec3<double>> middles(membranes_.size());
-    std::vector<std::uint64_t> counts(planes * middles.size(), 0);
-    for_each_core_cell([&](std::size_t label, const Vec3<int>& cell) {
-        for (int a = 0; a < 3; ++a)
-            ++counts[label * planes + begins[a] + static_cast<std::size_t>(cell[a])];
-    });
-    ranks().sum(counts);
-    for (std::size_t label = 0; label < middles.size(); ++label)
-        for (int a = 0; a < 3; ++a) {
-            detail::CircularMean mean(box[a]);
-            for (int k = 0; k < box[a]; ++k)
-                mean.add(k + 0.5, static_cast<double>(
-                                      counts[label * planes + begins[a] + static_cast<std::size_t>(k)]));
-            middles[label][a] = mean.value();
-        }
-    if (!block_.slide)
-        return middles;
-    // Images that have slid are counted apart: below, home, above.
-    const auto [across, along] = *block_.slide;
-    const auto length = static_cast<std::size_t>(box[along]);
-    counts.assign(3 * length * middles.size(), 0);
-    for_each_core_cell([&](std::size_t label, const Vec3<int>& cell) {
-        const auto image = 1 - std::lround((cell[across] + 0.5 - middles[label][across]) / box[across]);
-        ++counts[(3 * label + static_cast<std::size_t>(image)) * length +
-                 static_cast<std::size_t>(cell[along])];
-    });
-    ranks().sum(counts);
-    const double slid = setup_.drive.displacement(step_);
-    for (std::size_t label = 0; label < middles.size(); ++label) {
-        detail::CircularMean mean(box[along]);
-        for (std::size_t k = 0; k < 3 * length; ++k)
-            mean.add(static_cast<double>(k % length) + 0.5 + (static_cast<double>(k / length) - 1.0) * slid,
-                     static_cast<double>(counts[3 * length * label + k]));
-        middles[label][along] = mean.value();
-    }
-    return middles;
-}
 
 /// From phi = 0 to the surface of an obstacle, half-way along the links that end there.
 template <class Real>
@@ -155,12 +81,15 @@ double LatticeEngine<Real>::distance_to_obstacle(const InterfaceCell& cell, std:
 
 /// In the order of the tiles; positions as they lie in the box.
 template <class Real>
-std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_cells() const {
+std::vector<typename LatticeEngine<Real>::LayerCell>
+LatticeEngine<Real>::layer_cells(const LabelRange& labels) const {
     std::vector<LayerCell> cells;
     const LayerFields<Real>& fields = layer_.fields();
     const double beta = setup_.layer.beta;
     constexpr double profile_reach = 8.0; // farther out colours need not have their profile yet
     for (const BandTile& t : layer_.band().tiles()) {
+        if (!labels.has(t.label))
+            continue;
         const auto lanes = [&](const std::span<Real>& a) {
             return detail::LaneValues<Real>(V::load(a.data() + t.slot()));
         };
@@ -202,7 +131,8 @@ std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_
                     cell.bending_force = std::visit(
                         [&](const auto& law) { return law.force(force_H0[k], cell.K0, laplacian[k]); },
                         membrane.bending);
-                    cell.tension_force = TensionLaw{membrane.tension()}.force(force_H0[k]);
+                    cell.tension_force = TensionLaw{membrane.sigma}.force(force_H0[k]);
+                    cell.area_force = TensionLaw{membrane.constraint_tension}.force(force_H0[k]);
                 }
             }
             if ((t.bits[reach::force] >> k & 1) != 0)
@@ -224,7 +154,8 @@ std::vector<typename LatticeEngine<Real>::LayerCell> LatticeEngine<Real>::layer_
 
 /// Runs of cells that are purely inside, outside their vesicle's band, as they lie in the box.
 template <class Real>
-std::vector<typename LatticeEngine<Real>::LabelledSpan> LatticeEngine<Real>::inside_spans() const {
+std::vector<typename LatticeEngine<Real>::LabelledSpan>
+LatticeEngine<Real>::inside_spans(const LabelRange& labels) const {
     std::vector<LabelledSpan> spans;
     const Vec3<int> size = grid_.size();
     const Vec3<int> begin = block_.own.begin;
@@ -232,7 +163,9 @@ std::vector<typename LatticeEngine<Real>::LabelledSpan> LatticeEngine<Real>::ins
         for (int y = 0; y < size.y; ++y) {
             int open = -1;
             for (int x = 0; x < size.x; ++x) {
-                const int owner = layer_.empty() ? -1 : layer_.owner_beyond_band(grid_.index(x, y, z));
+                int owner = layer_.empty() ? -1 : layer_.owner_beyond_band(grid_.index(x, y, z));
+                if (!labels.has(owner))
+                    owner = -1;
                 if (owner >= 0 && owner == open)
                     ++spans.back().span.count;
                 else if (owner >= 0)
@@ -325,27 +258,42 @@ Snapshot LatticeEngine<Real>::snapshot() const {
         snapshot.size[a] = setup_.drive.size()[a];
         snapshot.walls[a] = setup_.drive.has_walls(a);
     }
-    if (block_.slide)
-        snapshot.sliding = SlidingImages{block_.slide->gradient, block_.slide->velocity,
-                                         setup_.drive.displacement(step_), setup_.drive.slide_speed(step_)};
+    snapshot.sliding = sliding_images();
     if (solids_) {
         std::vector<WallForce> forces(FlowDrive::wall_count);
         walls_.add_forces(streaming_, forces);
         snapshot.wall_force = sums_over(ranks(), forces);
     }
-    if (layer_.empty())
-        return snapshot;
+    snapshot.vesicles = vesicles(0, static_cast<int>(membranes_.size()));
+    return snapshot;
+}
+
+template <class Real>
+std::optional<SlidingImages> LatticeEngine<Real>::sliding_images() const {
+    if (!block_.slide)
+        return std::nullopt;
+    return SlidingImages{block_.slide->gradient, block_.slide->velocity, setup_.drive.displacement(step_),
+                         setup_.drive.slide_speed(step_)};
+}
+
+/// All ranks look at the cells that they have, and the one that leads puts the vesicles together.
+template <class Real>
+std::vector<VesicleSnapshot> LatticeEngine<Real>::vesicles(int first, int count) const {
+    const LabelRange labels{first, first + count};
+    const std::optional<SlidingImages> sliding = sliding_images();
+    std::vector<VesicleSnapshot> found;
+    if (layer_.empty() || count == 0)
+        return found;
     Vec3<int> period = block_.box;
     for (int a = 0; a < 3; ++a)
         if (setup_.drive.has_walls(a) || setup_.drive.is_open(a))
             period[a] = 0;
     std::vector<Unwrap> unwraps;
     for (const Vec3<double>& middle : middles())
-        unwraps.emplace_back(period, middle, block_.slide,
-                             snapshot.sliding ? snapshot.sliding->displacement : 0.0);
+        unwraps.emplace_back(period, middle, block_.slide, sliding ? sliding->displacement : 0.0);
 
-    std::vector<LayerCell> cells = layer_cells();
-    std::vector<LabelledSpan> inside = inside_spans();
+    std::vector<LayerCell> cells = layer_cells(labels);
+    std::vector<LabelledSpan> inside = inside_spans(labels);
     const std::vector<ColourSums> sums = over_ranks(ranks(), colour_sums(cells, inside, unwraps));
     const auto place_of = [](const LayerCell& c) {
         return std::tie(c.cell.position.z, c.cell.position.y, c.cell.position.x, c.label);
@@ -357,30 +305,30 @@ Snapshot LatticeEngine<Real>::snapshot() const {
         return std::tie(a.span.z, a.span.y, a.span.begin) < std::tie(b.span.z, b.span.y, b.span.begin);
     });
     if (!ranks().leads())
-        return snapshot;
-    std::vector<std::vector<InsideSpan>> spans(membranes_.size());
+        return found;
+    std::vector<std::vector<InsideSpan>> spans(static_cast<std::size_t>(count));
     for (const auto& [label, span] : inside)
-        spans[static_cast<std::size_t>(label)].push_back(span);
-    for (std::size_t label = 0; label < membranes_.size(); ++label) {
-        VesicleSnapshot& vesicle = snapshot.vesicles.emplace_back(described(label));
-        vesicle.inside = detail::unwrapped(spans[label], unwraps[label]);
-        vesicle.colour_mass = sums[label].mass.value();
+        spans[static_cast<std::size_t>(label - first)].push_back(span);
+    for (int label = first; label < labels.end; ++label) {
+        const auto of = static_cast<std::size_t>(label);
+        VesicleSnapshot& vesicle = found.emplace_back(described(of));
+        vesicle.inside = detail::unwrapped(spans[of - static_cast<std::size_t>(first)], unwraps[of]);
+        vesicle.colour_mass = sums[of].mass.value();
         for (int a = 0; a < 3; ++a)
-            vesicle.momentum[a] = sums[label].momentum[a].value();
-        if (snapshot.sliding)
-            vesicle.momentum[snapshot.sliding->velocity] +=
-                sums[label].slid.value() * snapshot.sliding->speed;
+            vesicle.momentum[a] = sums[of].momentum[a].value();
+        if (sliding)
+            vesicle.momentum[sliding->velocity] += sums[of].slid.value() * sliding->speed;
     }
     for (auto& [label, cell] : cells) {
         const Unwrap& unwrap = unwraps[static_cast<std::size_t>(label)];
         const Vec3<int> home = detail::cell_of(cell);
         // Beyond sliding faces velocities are those that the images there have.
-        if (snapshot.sliding)
-            cell.u[snapshot.sliding->velocity] += unwrap.boxes_slid(home) * snapshot.sliding->speed;
+        if (sliding)
+            cell.u[sliding->velocity] += unwrap.boxes_slid(home) * sliding->speed;
         cell.position = cell.position + unwrap.shift(home);
-        snapshot.vesicles[static_cast<std::size_t>(label)].cells.push_back(cell);
+        found[static_cast<std::size_t>(label - first)].cells.push_back(cell);
     }
-    return snapshot;
+    return found;
 }
 
 } // namespace vesica

@@ -114,7 +114,11 @@ public:
 
     std::int64_t steps_done() const override { return step_; }
     Snapshot snapshot() const override;
+    std::vector<VesicleSnapshot> vesicles(int first, int count) const override;
     DenseField field(std::string_view name) const override;
+    FieldPart own_field(std::string_view name) const override {
+        return {block_.own.begin, field_of_block(name)};
+    }
     std::vector<Vec3<double>> velocities(const std::vector<Vec3<double>>& places) const override;
     std::optional<Trouble> trouble() const override;
     EngineState save() const override;
@@ -320,18 +324,25 @@ private:
     }
 
     Extremes extremes() const;
-    DenseField own_field(std::string_view name) const;
+    DenseField field_of_block(std::string_view name) const;
     DenseField gathered(const DenseField& part) const;
     DenseField cropped(DenseField field) const;
     std::optional<Vec3<int>> cell_at_open_end() const;
     int vesicle_at(const Vec3<int>& place) const;
     std::vector<Vec3<double>> middles() const;
     VesicleSnapshot described(std::size_t label) const;
+    std::optional<SlidingImages> sliding_images() const;
     struct LayerCell;
     struct LabelledSpan;
-    std::vector<LayerCell> layer_cells() const;
+    struct LabelRange {
+        int begin = 0;
+        int end = 0;
+
+        bool has(int label) const { return label >= begin && label < end; }
+    };
+    std::vector<LayerCell> layer_cells(const LabelRange& labels) const;
     double distance_to_obstacle(const InterfaceCell& cell, std::int64_t index) const;
-    std::vector<LabelledSpan> inside_spans() const;
+    std::vector<LabelledSpan> inside_spans(const LabelRange& labels) const;
     std::vector<ColourSums> colour_sums(const std::vector<LayerCell>& cells,
                                         const std::vector<LabelledSpan>& inside,
                                         const std::vector<Unwrap>& unwraps) const;

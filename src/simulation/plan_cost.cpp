@@ -40,16 +40,6 @@ double seconds_per_step(Engine& engine) {
     return best;
 }
 
-/// Cells in the layers of membranes of this total area; half of the band's width on either side.
-double total_area(const Parameters& parameters) {
-    double area = 0.0;
-    for (const VesicleParameters& vesicle : parameters.vesicles) {
-        const double growth = parameters.types[vesicle.type].area.deflation.value_or(1.0);
-        area += 4.0 * std::numbers::pi * vesicle.radius * vesicle.radius * growth;
-    }
-    return area;
-}
-
 struct SmallBox {
     double cells = 0.0;
     double layer = 0.0;
@@ -83,7 +73,7 @@ RunCost cost_from_small_boxes(const Parameters& parameters, int threads, const E
     const SmallBox large = measure_small(parameters, 72, threads, factory);
     const double cells = cells_of(parameters.lattice());
     const double small_area = 4.0 * std::numbers::pi * small_radius * small_radius;
-    const double layers = total_area(parameters) / small_area; // in layers of the small sphere
+    const double layers = membrane_area(parameters) / small_area; // in layers of the small sphere
     // Both boxes hold the same layer, so that their difference is the cost of plain cells.
     const auto scaled = [&](double in_small, double in_large) {
         const double per_cell = std::max(0.0, (in_large - in_small) / (large.cells - small.cells));
@@ -126,31 +116,8 @@ RunCost measure_cost(const Parameters& parameters, const RunParameters& run, con
     } else {
         cost = cost_from_small_boxes(parameters, threads, factory);
     }
-    cost.output_bytes = output_bytes(parameters, run, output);
+    cost.output = output_cost(parameters, run, output, threads);
     return cost;
-}
-
-double output_bytes(const Parameters& parameters, const RunParameters& run, const OutputParameters& output) {
-    const double number = parameters.numerics.precision == Precision::double_precision ? 8.0 : 4.0;
-    double bytes = 0.0;
-    if (output.fields && output.fields->every > 0) {
-        const FieldOutput& fields = *output.fields;
-        const Vec3<int> region = fields.region_end - fields.region_begin;
-        double components = 0.0;
-        for (const std::string& name : fields.names)
-            components += name == "velocity" || name == "force" ? 3.0 : 1.0;
-        const double outputs = std::floor(static_cast<double>(run.steps / fields.every)) + 1.0;
-        bytes += outputs * components * number * cells_of(region) / std::pow(fields.stride, 3);
-    }
-    // Populations and colours in the run's precision, and the band; where vesicles crowd a cell has several.
-    const double colours = parameters.vesicles.size() > 1 ? 2.0 * (number + 5.0) : number + 1.0;
-    const double checkpoint = cells_of(parameters.lattice()) * (19.0 * number + colours);
-    if (output.checkpoint_every > 0) {
-        const double written =
-            std::ceil(static_cast<double>(run.steps) / static_cast<double>(output.checkpoint_every));
-        bytes += checkpoint * std::min(written, 1.0 + output.checkpoint_keep);
-    }
-    return bytes;
 }
 
 double available_memory() {

@@ -3,6 +3,7 @@
 #include "case/parameters.hpp"
 #include "parallel/ranks.hpp"
 #include "simulation/engine.hpp"
+#include "simulation/plan_output.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -16,8 +17,8 @@ using EngineFactory = std::function<std::unique_ptr<Engine>(const Parameters& pa
 /// What a run will cost on this machine.
 struct RunCost {
     double seconds_per_step = 0.0;
-    double bytes = 0.0;        ///< of memory
-    double output_bytes = 0.0; ///< of fields and checkpoints, as far as they can be foretold
+    double bytes = 0.0; ///< of memory
+    OutputCost output;
     bool of_this_case = false; ///< measured on the case itself, not on a small box and scaled
 };
 
@@ -25,9 +26,6 @@ struct RunCost {
 /// which the cost of a cell and of a cell in a membrane's layer follow.
 RunCost measure_cost(const Parameters& parameters, const RunParameters& run, const OutputParameters& output,
                      int threads, const EngineFactory& factory);
-
-/// Bytes that fields and checkpoints will take on disk at most.
-double output_bytes(const Parameters& parameters, const RunParameters& run, const OutputParameters& output);
 
 /// Memory that this process may still take: the machine's available one or its control group's limit.
 /// 0 if unknown.

@@ -178,15 +178,19 @@ void describe_vesicle(const Case& what, const Plan& plan, std::size_t index, Sid
 }
 
 void describe_cost(const Case& what, const Plan& plan, const RunCost& cost, int threads, SideBySide& table) {
-    const double seconds = cost.seconds_per_step * static_cast<double>(what.run.steps);
+    const double stepping = cost.seconds_per_step * static_cast<double>(what.run.steps);
+    const double seconds = stepping + cost.output.seconds;
     table.heading(cost.of_this_case ? "Cost, measured now on this case"
                                     : "Cost, measured now on a small box");
     table.text("memory", bytes_text(cost.bytes));
-    table.text("fields and checkpoints on disk, at most", bytes_text(cost.output_bytes));
+    table.text("fields, surfaces and checkpoints on disk, at most", bytes_text(cost.output.bytes));
     table.text("speed", fmt::format("{:.2f} MLUPS on {} thread{}",
                                     1e-6 * static_cast<double>(plan.cells) / cost.seconds_per_step, threads,
                                     threads == 1 ? "" : "s"));
     table.text("run time", duration_text(seconds));
+    table.text("... of it for output, about",
+               fmt::format("{}, {:.1f} %", duration_text(cost.output.seconds),
+                           seconds > 0.0 ? 100.0 * cost.output.seconds / seconds : 0.0));
 }
 
 void describe_suspension(const Case& what, const Plan& plan, SideBySide& table) {

@@ -81,8 +81,17 @@ public:
         }
     }
 
+    /// Building the initial state of a large box takes its time.
+    void announce_building() {
+        constexpr std::int64_t quick = 2'000'000; // cells
+        if (plan_.cells > quick)
+            say(fmt::format("setting up {:.1f} million cells and {} vesicle{} ...",
+                            1e-6 * static_cast<double>(plan_.cells), case_.parameters.vesicles.size(),
+                            case_.parameters.vesicles.size() == 1 ? "" : "s"));
+    }
+
     /// `resumed` is the checkpoint the run goes on from, if any.
-    RunOutcome run(Engine& engine, RunMetrics& metrics, const Checkpoint* resumed) {
+    RunOutcome run(Engine& engine, RunMetrics& metrics, const IntactCheckpoint* resumed) {
         account_.setting_up = seconds_since(begin_);
         account_.first_step = engine.steps_done();
         account_.threads = threads_;
@@ -111,20 +120,23 @@ private:
 
     std::string title() const { return case_.title.empty() ? case_.source_file : case_.title; }
 
-    LoopResult loop(Engine& engine, RunMetrics& metrics, const Checkpoint* resumed) {
+    LoopResult loop(Engine& engine, RunMetrics& metrics, const IntactCheckpoint* resumed) {
         const StopRequest stop(case_.run.wall_time, begin_);
         Progress progress(progress_settings(engine), options_.out, Clock::now());
         const auto loop_begin = Clock::now();
-        double recording = 0.0;
+        std::unique_ptr<FieldCrew> fields = options_.crew != nullptr
+                                                ? options_.crew->fields()
+                                                : std::make_unique<LoneFieldCrew>(case_, threads_, engine);
         LoopResult result;
         try {
-            const auto from = resumed != nullptr ? std::optional(resumed->engine.step) : std::nullopt;
-            RunRecorder recorder(case_, directory_, log_, metrics, progress, stop,
-                                 options_.crew != nullptr ? *options_.crew : nobody_, from);
+            const auto from =
+                resumed != nullptr ? std::optional(resumed->checkpoint.engine.step) : std::nullopt;
+            const RunHands hands{options_.crew != nullptr ? *options_.crew : nobody_, *fields, threads_};
+            RunRecorder recorder(case_, directory_, log_, metrics, progress, stop, hands, from);
             if (resumed != nullptr)
-                recorder.restore(resumed->notes);
+                recorder.restore(resumed->checkpoint, resumed->path);
             const auto settle = [&] {
-                recording = recorder.seconds();
+                account_.output = recorder.output();
             };
             try {
                 result = run_loop(engine, case_.run.steps, Schedule(case_.output), recorder);
@@ -139,8 +151,9 @@ private:
             result = {RunEnd::failed, engine.steps_done(), "not enough memory", std::nullopt};
         }
         progress.finish();
-        account_.recording = recording;
-        account_.stepping = std::max(0.0, seconds_since(loop_begin) - recording);
+        account_.output.run_seconds = seconds_since(loop_begin);
+        account_.recording = account_.output.total().seconds;
+        account_.stepping = std::max(0.0, account_.output.run_seconds - account_.recording);
         return result;
     }
 
@@ -195,6 +208,8 @@ private:
                             account_.mlups(static_cast<double>(plan_.cells), result.step), where));
         else
             log_.error(outcome.message);
+        if (!account_.output.kinds.empty())
+            say(account_.output.text());
         if (!account_.parallel.ranks.empty())
             say(account_.parallel.text());
         if (options_.profile)
@@ -261,6 +276,7 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     write_atomically(session.directory() / "resolved.toml", resolved_toml(what));
     session.log().information(fmt::format("vesica {} ({}, {})", version, commit, compiler));
     session.warn();
+    session.announce_building();
 
     const auto engine =
         build_engine(what, options, threads, start ? std::optional(start->path) : std::nullopt);
@@ -297,11 +313,12 @@ RunOutcome resume_run(const std::optional<std::int64_t>& steps, const RunOptions
         session.log().warning(refused);
     session.log().information(fmt::format("vesica {} ({}, {}) resumes from {}", version, commit, compiler,
                                           found.path.filename().string()));
+    session.announce_building();
     const auto engine = build_engine(what, options, threads, found.path);
     RunMetrics metrics(what.parameters, what.run, what.output.metrics_every, engine->snapshot());
     load_state(*engine, options, found.path, {}, what.parameters.lattice());
     metrics.restore(found.checkpoint.notes);
-    return session.run(*engine, metrics, &found.checkpoint);
+    return session.run(*engine, metrics, &found);
 }
 
 } // namespace vesica

@@ -109,6 +109,7 @@ RunSummary RunAccount::summary(const Case& what, const Plan& plan, const LoopRes
     summary.mlups = mlups(static_cast<double>(plan.cells), result.step);
     summary.seconds = {
         {"total", total}, {"setting_up", setting_up}, {"stepping", stepping}, {"recording", recording}};
+    summary.output = output;
     summary.profile = profile.numbers(threads);
     summary.versions = {{"vesica", std::string(version)},
                         {"commit", std::string(commit)},

@@ -23,6 +23,7 @@ struct RunAccount {
     std::string instruction_set;
     double bytes_allocated = 0.0;
     double interface_fraction = 0.0;
+    OutputSummary output;
     StepProfile profile; ///< of the rank that leads
     ParallelSummary parallel;
 

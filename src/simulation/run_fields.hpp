@@ -1,44 +1,37 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "io/checkpoint.hpp"
 #include "io/field_series.hpp"
-#include "simulation/engine.hpp"
+#include "simulation/field_work.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace vesica {
 
-/// The dimension of a field or of a quantity on a surface, by its name; none for those that are pure numbers.
-Dimension dimension_of(const std::string& quantity);
-
-/// The fields a case asks for, at instants or averaged in time, in SI units if the case has units.
+/// The fields a case asks for, at instants or averaged in time, in SI units if the case has units: a series
+/// of files that all ranks write.
 class RunFields {
 public:
     /// `resumed` as for RunRecorder. Throws RunError.
-    RunFields(const Case& what, const std::filesystem::path& directory, std::optional<std::int64_t> resumed);
+    RunFields(const Case& what, const std::filesystem::path& directory, std::optional<std::int64_t> resumed,
+              FieldCrew& crew);
 
     /// Adds the present fields to the average.
-    void sample(const Engine& engine);
-    void write(const Engine& engine);
+    void sample() { crew_.sample(); }
+    /// Returns the file.
+    std::filesystem::path write(std::int64_t step);
 
     /// What a checkpoint must keep of an average that is not written yet; nothing between averages.
-    using Notes = std::map<std::string, std::vector<double>>;
-    Notes notes() const;
-    /// Throws RunError if the notes are not of this case.
-    void restore(const Notes& notes);
+    void keep_in(CheckpointNotes& checkpoint) const;
+    /// Throws RunError if what the checkpoint has kept is not of this case.
+    void restore(const CheckpointNotes& notes, const std::filesystem::path& checkpoint);
 
 private:
-    FieldOutput output_;
-    std::optional<Scales> scales_;
     FieldSeries series_;
-    Vec3<int> size_;
-    std::vector<DenseField> sums_; ///< of the samples since the last output; empty before the first
-    int samples_ = 0;
+    FieldCrew& crew_;
 };
 
 } // namespace vesica

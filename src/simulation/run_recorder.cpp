@@ -2,8 +2,6 @@
 
 #include "core/version.hpp"
 #include "io/case_file.hpp"
-#include "measure/surface.hpp"
-#include "measure/whole_cells.hpp"
 
 #include <fmt/format.h>
 
@@ -25,88 +23,55 @@ MetricsFile metrics_file_for(const Case& what, const OutputDirectory& directory,
     return MetricsFile::resume(path, metrics_columns(), last);
 }
 
-std::optional<SurfaceSeries> surfaces_for(const Case& what, const OutputDirectory& directory,
-                                          std::optional<std::int64_t> resumed) {
-    if (what.output.surfaces_every == 0)
-        return std::nullopt;
-    const Scales scales = what.scales.value_or(Scales{});
-    if (resumed)
-        return SurfaceSeries::resume(directory.path(), scales, *resumed);
-    return SurfaceSeries(directory.path(), scales);
+/// Under which name the cost of an event is told.
+const char* kind_of(Event event) {
+    switch (event) {
+    case Event::sample:
+    case Event::fields:
+        return "fields";
+    case Event::surfaces:
+        return "surfaces";
+    case Event::profiles:
+        return "profiles";
+    case Event::tracers:
+    case Event::carry:
+        return "tracers";
+    case Event::checkpoint:
+        return "checkpoints";
+    case Event::metrics:
+    case Event::trouble:
+        break;
+    }
+    return "metrics";
 }
 
-/// Carries a quantity of the layer's cells to the points of the surface.
-class OntoSurface {
-public:
-    OntoSurface(const VesicleSnapshot& vesicle, const SurfaceMesh& mesh, const std::optional<Scales>& scales)
-        : vesicle_(vesicle), mesh_(mesh), block_(phase_block(vesicle)), scales_(scales) {}
-
-    template <class Quantity>
-    SurfaceQuantity scalar(const std::string& name, Quantity quantity) const {
-        std::vector<double> values = interpolate(mesh_, nodal_values(vesicle_, block_, quantity));
-        for (double& value : values)
-            value *= factor(name);
-        return {name, 1, std::move(values)};
-    }
-
-    template <class Quantity>
-    SurfaceQuantity vector(const std::string& name, Quantity quantity) const {
-        SurfaceQuantity result{name, 3, std::vector<double>(3 * mesh_.points.size())};
-        for (int axis = 0; axis < 3; ++axis) {
-            const SurfaceQuantity part =
-                scalar(name, [&](const InterfaceCell& cell) { return quantity(cell)[axis]; });
-            for (std::size_t point = 0; point < part.values.size(); ++point)
-                result.values[3 * point + static_cast<std::size_t>(axis)] = part.values[point];
-        }
-        return result;
-    }
-
-private:
-    double factor(const std::string& name) const { return scales_ ? scales_->unit(dimension_of(name)) : 1.0; }
-
-    const VesicleSnapshot& vesicle_;
-    const SurfaceMesh& mesh_;
-    DenseBlock block_;
-    const std::optional<Scales>& scales_;
-};
-
-SurfaceArrays surface_of(const VesicleSnapshot& measured, int index, const std::optional<Scales>& scales) {
-    const VesicleSnapshot vesicle = on_whole_cells(measured);
-    const SurfaceMesh mesh = extract_surface(vesicle);
-    SurfaceArrays arrays;
-    arrays.vesicle = index;
-    arrays.points = mesh.points;
-    for (const auto& corners : mesh.triangles)
-        arrays.triangles.push_back({static_cast<std::int32_t>(corners[0]),
-                                    static_cast<std::int32_t>(corners[1]),
-                                    static_cast<std::int32_t>(corners[2])});
-    const OntoSurface onto(vesicle, mesh, scales);
-    arrays.quantities = {
-        onto.scalar("mean_curvature", [](const InterfaceCell& cell) { return cell.H0; }),
-        onto.scalar("gaussian_curvature", [](const InterfaceCell& cell) { return cell.K0; }),
-        onto.scalar("bending_force", [](const InterfaceCell& cell) { return cell.bending_force; }),
-        onto.scalar("tension_force", [](const InterfaceCell& cell) { return cell.tension_force; }),
-        onto.vector("velocity", [](const InterfaceCell& cell) { return cell.u; }),
-    };
-    return arrays;
+double bytes_of(const std::filesystem::path& file) {
+    std::error_code unknown; // an account must not end a run
+    const auto bytes = std::filesystem::file_size(file, unknown);
+    return unknown ? 0.0 : static_cast<double>(bytes);
 }
 
 } // namespace
 
 RunRecorder::RunRecorder(const Case& what, const OutputDirectory& directory, RunLog& log, RunMetrics& metrics,
-                         Progress& progress, const StopRequest& stop, Colleagues& colleagues,
+                         Progress& progress, const StopRequest& stop, const RunHands& hands,
                          std::optional<std::int64_t> resumed)
     : case_(what),
       log_(log),
       metrics_(metrics),
       progress_(progress),
       stop_(stop),
-      colleagues_(colleagues),
+      hands_(hands),
+      directory_(directory.path()),
       metrics_file_(metrics_file_for(what, directory, resumed)),
-      surfaces_(surfaces_for(what, directory, resumed)),
       checkpoints_(directory / "checkpoints", std::max(1, what.output.checkpoint_keep)) {
     if (what.output.fields)
-        fields_.emplace(what, directory.path(), resumed);
+        fields_.emplace(what, directory.path(), resumed, hands.fields);
+    if (what.output.surfaces_every > 0)
+        surfaces_.emplace(what, directory.path(), resumed, hands.threads);
+    for (const char* const name : {"metrics.csv", "profiles.csv", "suspension.csv", "tracers.csv"})
+        if (resumed)
+            tables_[directory_ / name] = bytes_of(directory_ / name);
     if (what.output.profiles)
         profiles_.emplace(what, directory, resumed);
     if (what.output.tracers)
@@ -115,39 +80,60 @@ RunRecorder::RunRecorder(const Case& what, const OutputDirectory& directory, Run
 
 void RunRecorder::record(Event event, const Engine& engine) {
     const auto begin = std::chrono::steady_clock::now();
+    OutputSummary::Kind& cost = output_.kinds[kind_of(event)];
+    carry_out(event, engine, cost);
+    cost.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void RunRecorder::carry_out(Event event, const Engine& engine, OutputSummary::Kind& cost) {
+    const auto add_file = [&](const std::filesystem::path& file) {
+        ++cost.files;
+        cost.bytes += bytes_of(file);
+    };
+    const auto add_table = [&](const char* name) {
+        const std::filesystem::path file = directory_ / name;
+        const double before = tables_[file];
+        tables_[file] = bytes_of(file);
+        cost.files += before == 0.0 ? 1 : 0;
+        cost.bytes += std::max(0.0, tables_[file] - before);
+    };
     switch (event) {
     case Event::trouble:
         break;
     case Event::sample:
         if (fields_)
-            fields_->sample(engine);
+            fields_->sample();
         break;
     case Event::metrics:
         write_metrics(engine);
+        add_table("metrics.csv");
         break;
     case Event::fields:
         if (fields_)
-            fields_->write(engine);
+            add_file(fields_->write(engine.steps_done()));
         break;
     case Event::surfaces:
-        write_surfaces(engine);
+        if (surfaces_)
+            add_file(surfaces_->write(engine));
         break;
     case Event::profiles:
         profiles_->write(engine);
+        add_table("profiles.csv");
+        add_table("suspension.csv");
         break;
     case Event::tracers:
         if (tracers_)
             tracers_->write(engine);
+        add_table("tracers.csv");
         break;
     case Event::carry:
         if (tracers_)
             tracers_->carry(engine);
         break;
     case Event::checkpoint:
-        write_checkpoint(engine);
+        add_file(write_checkpoint(engine));
         break;
     }
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void RunRecorder::write_metrics(const Engine& engine) {
@@ -157,23 +143,13 @@ void RunRecorder::write_metrics(const Engine& engine) {
     metrics_file_.append(rows);
 }
 
-void RunRecorder::write_surfaces(const Engine& engine) {
-    if (!surfaces_)
-        return;
-    const Snapshot snapshot = engine.snapshot();
-    std::vector<SurfaceArrays> surfaces;
-    for (std::size_t index = 0; index < snapshot.vesicles.size(); ++index)
-        surfaces.push_back(surface_of(snapshot.vesicles[index], static_cast<int>(index), case_.scales));
-    surfaces_->write(snapshot.step, std::move(surfaces));
-}
-
-void RunRecorder::write_checkpoint(const Engine& engine) {
+std::filesystem::path RunRecorder::write_checkpoint(const Engine& engine) {
     metrics_file_.flush();
     CheckpointNotes checkpoint;
     checkpoint.case_text = resolved_toml(case_);
     checkpoint.notes = metrics_.notes();
     if (fields_)
-        checkpoint.notes.merge(fields_->notes());
+        fields_->keep_in(checkpoint);
     if (profiles_)
         profiles_->flush();
     if (tracers_) {
@@ -181,8 +157,9 @@ void RunRecorder::write_checkpoint(const Engine& engine) {
         checkpoint.notes.merge(tracers_->notes());
     }
     checkpoint.program_version = version;
-    const std::filesystem::path path = checkpoints_.write(checkpoint, *engine.planes(), colleagues_);
+    const std::filesystem::path path = checkpoints_.write(checkpoint, *engine.planes(), hands_.colleagues);
     log_.information(fmt::format("step {}: checkpoint {}", engine.steps_done(), path.filename().string()));
+    return path;
 }
 
 } // namespace vesica

@@ -214,6 +214,12 @@ class Run(Program):
         status, out, _ = self.vesica("info", "target/checkpoints/step_000000020.h5")
         self.assertEqual(status, 0)
         self.assertIn("20", out)
+        damaged = self.directory / "target/checkpoints/step_000000020.h5"
+        damaged.write_bytes(damaged.read_bytes()[:-1])
+        status, out, errors = self.vesica("info", damaged)
+        self.assertEqual(status, 1)
+        self.assertIn("checkpoint, NOT INTACT", out)
+        self.assertIn("is not intact", errors)
 
     def test_two_halves_are_one_whole_bit_for_bit(self):
         self.assertEqual(self.vesica("run", self.case, "-o", "whole", "--threads", 1)[0], 0)

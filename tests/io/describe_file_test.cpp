@@ -30,7 +30,7 @@ TEST_CASE("a checkpoint is described, and a damaged one is called so with the re
     checkpoint.case_text = "title = \"A rest\"\n";
     checkpoint.program_version = "0.1.0";
     const auto path = store.write(checkpoint);
-    const std::string text = describe_file(path);
+    const std::string text = describe_file(path).text;
     REQUIRE_THAT(text, StartsWith(path.string() + ": checkpoint, intact\n"));
     for (const char* part : {"step        1200\n", "4 x 3 x 2 cells, double precision", "A rest",
                              "Vesica 0.1.0, checkpoint format 1", "populations [19, 24]"})
@@ -39,8 +39,8 @@ TEST_CASE("a checkpoint is described, and a damaged one is called so with the re
     std::string bad = content_of(path);
     bad[0] = 'x'; // not even the magic is left
     put_content(path, bad);
-    REQUIRE_THAT(describe_file(path), Contains("checkpoint, NOT INTACT\n") &&
-                                          Contains("refused     is not a checkpoint of Vesica"));
+    REQUIRE_THAT(describe_file(path).text, Contains("checkpoint, NOT INTACT\n") &&
+                                               Contains("refused     is not a checkpoint of Vesica"));
 }
 
 TEST_CASE("metrics are described, torn ones too") {
@@ -49,10 +49,10 @@ TEST_CASE("metrics are described, torn ones too") {
     MetricsFile file(path, {"step", "vesicle"});
     for (const double step : {0.0, 100.0, 200.0})
         file.append(std::vector<std::vector<double>>{{step, 0.0}, {step, 1.0}});
-    REQUIRE_THAT(describe_file(path), Contains("metrics, intact") && Contains("3, from 0 to 200") &&
-                                          Contains("rows        6") && Contains("step vesicle"));
+    REQUIRE_THAT(describe_file(path).text, Contains("metrics, intact") && Contains("3, from 0 to 200") &&
+                                               Contains("rows        6") && Contains("step vesicle"));
     put_content(path, content_of(path) + "300,");
-    REQUIRE_THAT(describe_file(path),
+    REQUIRE_THAT(describe_file(path).text,
                  Contains("metrics, torn at the end") && Contains("4 bytes after the last row"));
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("a summary is described with its verdicts") {
     summary.verdicts = {{"mass", false, "1e-3, allowed 1e-12"}};
     summary.versions = {{"vesica", "0.1.0"}};
     write_summary(scratch / "summary.json", summary);
-    REQUIRE_THAT(describe_file(scratch / "summary.json"),
+    REQUIRE_THAT(describe_file(scratch / "summary.json").text,
                  Contains("A run") && Contains("stopped: wall time") && Contains("FAILED: mass, 1e-3") &&
                      Contains("vesica 0.1.0"));
     put_content(scratch / "summary.json", "{\"format\": \"vesica-summary-1\"}");
@@ -79,25 +79,25 @@ TEST_CASE("series of fields and surfaces are described, with what is missing") {
     write_sample_fields(scratch.path(), {0, 100});
     write_sample_surfaces(scratch.path(), {0, 100});
     for (const char* name : {"fields.xmf", "fields.h5"})
-        REQUIRE_THAT(describe_file(scratch / name),
+        REQUIRE_THAT(describe_file(scratch / name).text,
                      Contains(", intact\n") && Contains("2, from 0 to 100") && Contains("2, from 0 to 25") &&
                          Contains("6 x 5 x 4, 0.5 apart, from 1, 0.5, 0") && Contains("velocity, vector"));
-    REQUIRE_THAT(describe_file(scratch / "fields/step_000000100.h5"),
+    REQUIRE_THAT(describe_file(scratch / "fields/step_000000100.h5").text,
                  Contains("fields of one step") && Contains("step        100") && Contains("phase\n"));
-    REQUIRE_THAT(describe_file(scratch / "surfaces/surface_000000100.vtp"),
+    REQUIRE_THAT(describe_file(scratch / "surfaces/surface_000000100.vtp").text,
                  Contains("surfaces of the vesicles, intact") && Contains("points      8") &&
                      Contains("triangles   8") && Contains("mean_curvature"));
-    REQUIRE_THAT(describe_file(scratch / "surfaces/surfaces.pvd"),
+    REQUIRE_THAT(describe_file(scratch / "surfaces/surfaces.pvd").text,
                  Contains(", intact\n") && Contains("2, from 0"));
 
     const auto surface = scratch / "surfaces/surface_000000100.vtp";
     put_content(surface, content_of(surface).substr(0, 1800));
-    REQUIRE_THAT(describe_file(surface), Contains("NOT INTACT"));
+    REQUIRE_THAT(describe_file(surface).text, Contains("NOT INTACT"));
     remove(surface);
     remove(scratch / "fields/step_000000100.h5");
-    REQUIRE_THAT(describe_file(scratch / "fields.xmf"),
+    REQUIRE_THAT(describe_file(scratch / "fields.xmf").text,
                  Contains("NOT INTACT") && Contains("step_000000100.h5: cannot open"));
-    REQUIRE_THAT(describe_file(scratch / "surfaces/surfaces.pvd"),
+    REQUIRE_THAT(describe_file(scratch / "surfaces/surfaces.pvd").text,
                  Contains("NOT INTACT") && Contains("missing     surface_000000100.vtp"));
 }
 
@@ -107,8 +107,9 @@ TEST_CASE("a case is described, and a file that is no TOML is refused with its p
     put_content(
         path, "title = \"Two\"\n[lattice]\nsize = [8, 9, 10]\n[vesicle_type.rbc]\n[[vesicle]]\n[[vesicle]]\n"
               "[run]\nsteps = 500\n");
-    REQUIRE_THAT(describe_file(path), Contains("case\n") && Contains("Two") && Contains("8 x 9 x 10 cells") &&
-                                          Contains("rbc") && Contains("vesicles    2") && Contains("500"));
+    REQUIRE_THAT(describe_file(path).text, Contains("case\n") && Contains("Two") &&
+                                               Contains("8 x 9 x 10 cells") && Contains("rbc") &&
+                                               Contains("vesicles    2") && Contains("500"));
     put_content(path, "title = \n");
     REQUIRE_THAT(refusal(path), StartsWith(path.string() + ":1:") && Contains("the text is no TOML"));
     put_content(path, "[lattice]\nsize = 3\n");

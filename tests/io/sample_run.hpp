@@ -40,14 +40,39 @@ inline vesica::FieldSeries::Options sample_options() {
     return options;
 }
 
+/// What a single rank has of a field, each value times `factor`.
+inline vesica::SampledField sampled(const std::string& name, const vesica::DenseField& field,
+                                    const vesica::FieldSampling& sampling, double factor = 1.0,
+                                    const std::string& unit = {}) {
+    vesica::SampledField result{name, field.components, unit, {}};
+    for (const double value : vesica::samples_of(field, {}, sampling))
+        result.values.push_back(static_cast<float>(factor * value));
+    return result;
+}
+
+inline vesica::FieldWriting alone(const vesica::FieldSampling& sampling, int compression = 1) {
+    return {sampling.count(), {{}, sampling.count()}, compression, 1};
+}
+
+/// One step of a series by a single rank.
+inline void write_step(vesica::FieldSeries& series, std::int64_t step, const vesica::FieldSampling& sampling,
+                       const std::vector<vesica::SampledField>& fields) {
+    series.write(step, [&](const std::filesystem::path& path, const vesica::FieldStep& geometry) {
+        return vesica::write_field_step(path, geometry, alone(sampling), fields, vesica::Ranks());
+    });
+}
+
+inline std::vector<vesica::SampledField> sample_fields() {
+    const vesica::FieldSampling sampling = sample_options().sampling;
+    return {sampled("phase", ramp_field({8, 6, 4}, 1), sampling),
+            sampled("velocity", ramp_field({8, 6, 4}, 3), sampling)};
+}
+
 inline void write_sample_fields(const std::filesystem::path& directory,
                                 const std::vector<std::int64_t>& steps) {
     vesica::FieldSeries series(directory, sample_options());
-    const vesica::DenseField phase = ramp_field({8, 6, 4}, 1), velocity = ramp_field({8, 6, 4}, 3);
-    const std::vector<vesica::NamedField> fields = {{"phase", &phase, 1.0, ""},
-                                                    {"velocity", &velocity, 1.0, ""}};
     for (const std::int64_t step : steps)
-        series.write(step, fields);
+        write_step(series, step, sample_options().sampling, sample_fields());
 }
 
 /// Two tetrahedra, the second ten cells away along x; point data that repeat the points.
@@ -61,9 +86,9 @@ inline std::vector<vesica::SurfaceArrays> sample_surfaces() {
         surface.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
         vesica::SurfaceQuantity curvature{"mean_curvature", 1, {}}, velocity{"velocity", 3, {}};
         for (const auto& point : surface.points) {
-            curvature.values.push_back(point.x + 2 * point.y + 3 * point.z);
+            curvature.values.push_back(static_cast<float>(point.x + 2 * point.y + 3 * point.z));
             for (int axis = 0; axis < 3; ++axis)
-                velocity.values.push_back(point[axis]);
+                velocity.values.push_back(static_cast<float>(point[axis]));
         }
         surface.quantities = {curvature, velocity};
         surfaces.push_back(surface);

@@ -25,10 +25,10 @@ TEST_CASE("a step's file holds the sampled values of the fields") {
     const FieldSampling sampling{{2, 1, 0}, {8, 6, 4}, 3};
     const DenseField phase = ramp_field({8, 6, 4}, 1), velocity = ramp_field({8, 6, 4}, 3);
     for (const int level : {0, 4}) {
-        const std::vector<NamedField> fields = {{"phase", &phase, 1.0, ""},
-                                                {"velocity", &velocity, 2.0, "m/s"}};
+        const std::vector<SampledField> fields = {sampled("phase", phase, sampling),
+                                                  sampled("velocity", velocity, sampling, 2.0, "m/s")};
         const FieldStep written = write_field_step(scratch / "a.h5", {7, 0.5, {}, {1.0, 2.0, 3.0}, 0.25, {}},
-                                                   sampling, fields, level);
+                                                   alone(sampling, level), fields, Ranks());
         const FieldStep read = read_field_step(scratch / "a.h5");
         REQUIRE(read.step == 7);
         REQUIRE(read.time == 0.5);
@@ -60,8 +60,7 @@ TEST_CASE("a resumed series of fields has the steps up to the checkpoint and goe
     FieldSeries series = FieldSeries::resume(scratch.path(), sample_options(), 150);
     REQUIRE_FALSE(exists(scratch / "fields/step_000000200.h5"));
     REQUIRE(content_of(scratch / "fields.xmf").find("step 200") == std::string::npos);
-    const DenseField phase = ramp_field({8, 6, 4}, 1), velocity = ramp_field({8, 6, 4}, 3);
-    series.write(200, std::vector<NamedField>{{"phase", &phase, 1.0, ""}, {"velocity", &velocity, 1.0, ""}});
+    write_step(series, 200, sample_options().sampling, sample_fields());
     write_sample_fields(other.path(), {0, 100, 200});
     REQUIRE(content_of(scratch / "fields.xmf") == content_of(other / "fields.xmf"));
     REQUIRE(content_of(scratch / "fields.h5") == content_of(other / "fields.h5"));
@@ -99,7 +98,8 @@ TEST_CASE("on a full disk a series keeps its earlier steps and leaves no half fi
         disk.fill_but(65536);
         FieldSeries series(disk.path(), options);
         REQUIRE_THAT(complaint_of<RunError>([&] {
-                         series.write(100, std::vector<NamedField>{{"phase", &phase, 1.0, ""}});
+                         write_step(series, 100, options.sampling,
+                                    {sampled("phase", phase, options.sampling)});
                      }),
                      Catch::EndsWith("step_000000100.h5: cannot write: No space left on device"));
     }
