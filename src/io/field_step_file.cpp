@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <numeric>
@@ -186,6 +187,9 @@ FieldStep write_field_step(const Path& path, FieldStep geometry, const FieldWrit
         assert(field.values.size() == static_cast<std::size_t>(writing.part.volume()) * width_of(field));
         geometry.arrays.push_back({field.name, field.components});
     }
+    // In the order in which they are found again.
+    std::sort(geometry.arrays.begin(), geometry.arrays.end(),
+              [](const FieldStep::Array& a, const FieldStep::Array& b) { return a.name < b.name; });
     (writing.compression > 0 ? write_compressed : write_plainly)(path, geometry, writing, fields, ranks);
     return geometry;
 }

@@ -101,7 +101,7 @@ TEST_CASE("on a full disk a series keeps its earlier steps and leaves no half fi
                          write_step(series, 100, options.sampling,
                                     {sampled("phase", phase, options.sampling)});
                      }),
-                     Catch::EndsWith("step_000000100.h5: cannot write: No space left on device"));
+                     Catch::Contains("fields: ") && Catch::Contains("MB are needed"));
     }
     SECTION("surfaces") {
         SurfaceSeries series(disk.path(), Scales{});
