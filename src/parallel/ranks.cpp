@@ -60,8 +60,14 @@ MpiSession::MpiSession() {
     if (promised() == 1)
         return;
     int provided = 0;
-    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    begun_ = true;
+    int by_others = 0;
+    MPI_Initialized(&by_others); // mpi4py; then it is theirs to end
+    if (by_others != 0) {
+        MPI_Query_thread(&provided);
+    } else {
+        MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+        begun_ = true;
+    }
     if (provided < MPI_THREAD_FUNNELED)
         throw RunError("this MPI library does not allow threads; expected one built with their support");
 }

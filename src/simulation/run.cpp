@@ -6,7 +6,6 @@
 #include "simulation/run_account.hpp"
 #include "simulation/run_recorder.hpp"
 #include "simulation/start_state.hpp"
-#include "simulation/suspension.hpp"
 
 #include <fmt/format.h>
 
@@ -21,33 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-/// `from` is the checkpoint whose state the engine will take up, if any.
-std::unique_ptr<Engine> build_engine(const Case& what, const RunOptions& options, int threads,
-                                     const std::optional<std::filesystem::path>& from) {
-    try {
-        if (options.crew != nullptr)
-            return options.crew->build(what, {options.threads, options.blocks, options.balance}, from);
-        return options.factory ? options.factory(what.parameters, threads)
-                               : make_engine(what.parameters, threads);
-    } catch (const std::bad_alloc&) {
-        const Vec3<int>& size = what.parameters.size;
-        throw RunError(
-            fmt::format("{}: not enough memory for {} x {} x {} cells; `vesica check` says how much it takes",
-                        what.source_file, size.x, size.y, size.z));
-    }
-}
-
-void load_state(Engine& engine, const RunOptions& options, const std::filesystem::path& checkpoint,
-                const StateChange& change, const Vec3<int>& box) {
-    if (options.crew != nullptr) {
-        options.crew->load(checkpoint, change);
-        return;
-    }
-    EngineState state = read_state(checkpoint, {{}, box});
-    change.apply(state);
-    engine.load(state);
 }
 
 /// What a run and its resumption have in common: from a built engine to the summary.
@@ -231,31 +203,11 @@ private:
     Colleagues nobody_;
 };
 
-/// The case as it is read again from anywhere: a checkpoint lies in another folder than the case file.
-Case with_absolute_files(Case what) {
-    const std::filesystem::path folder = std::filesystem::path(what.source_file).parent_path();
-    for (VesicleParameters& vesicle : what.parameters.vesicles)
-        if (auto* mesh = std::get_if<MeshShape>(&vesicle.shape))
-            mesh->file = std::filesystem::absolute(folder / mesh->file).string();
-    if (auto& obstacles = what.parameters.obstacles)
-        obstacles->file = std::filesystem::absolute(folder / obstacles->file).string();
-    return what;
-}
-
-/// With a crew, of each rank.
-int threads_for(const RunOptions& options) {
-    if (options.threads > 0)
-        return options.threads;
-    return options.crew != nullptr ? options.crew->default_threads() : default_threads();
-}
-
 } // namespace
 
 RunOutcome run_case(const Case& original, const RunOptions& options) {
     const auto begin = Clock::now();
-    Case what = original;
-    pack_suspension(what);
-    what = with_absolute_files(what);
+    Case what = settled(original);
     const Plan plan = make_plan(what, options.plan);
     refuse_errors(plan);
     if (options.crew != nullptr) // a box that cannot be cut is refused before anything is written

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "case/case.hpp"
-#include "simulation/crew.hpp"
 #include "simulation/plan.hpp"
-#include "simulation/plan_cost.hpp"
 #include "simulation/run_loop.hpp"
+#include "simulation/run_start.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -14,18 +13,13 @@
 
 namespace vesica {
 
-struct RunOptions {
+struct RunOptions : EngineOptions {
     std::filesystem::path directory; ///< DIR
     bool overwrite = false;
-    int threads = 0;      ///< 0: as many as default_threads()
     bool profile = false; ///< say at the end where the steps' time went
     PlanOptions plan;
     std::ostream* out = nullptr; ///< for progress and a word at the beginning and the end; null: silent
     bool terminal = false;       ///< whether `out` is one
-    EngineFactory factory;       ///< empty: make_engine
-    Crew* crew = nullptr;        ///< where several ranks share the box; its settings:
-    std::optional<Vec3<int>> blocks;
-    Balance balance = Balance::interface;
 };
 
 /// Exit statuses of the program, for whoever runs a case.
