@@ -19,10 +19,10 @@ from synthetic_run import RESOLVED, revolve, sample, write_run  # noqa: E402
 
 PLOT_RUN = load("plot-run")
 
-from plotting.helfrich import HelfrichShapes  # noqa: E402
+from vesica.plotting.helfrich import HelfrichShapes  # noqa: E402
 
 VOLUME = 4.0 / 3.0 * math.pi * 15.0**3
-PICTURES = ("profile.png", "energy.png", "surface.png", "conservation.png")
+PICTURES = ("profile.png", "energy.png", "surface.png", "area.png", "inertia.png", "conservation.png")
 SHAPES = HelfrichShapes()
 
 
@@ -54,7 +54,7 @@ class PlotRun(unittest.TestCase):
         """(status, standard output, standard error)."""
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            status = PLOT_RUN.main([str(self.folder), *arguments])
+            status = PLOT_RUN.main([str(self.folder), *map(str, arguments)])
         return status, out.getvalue(), err.getvalue()
 
     def assert_drawn(self, path):
@@ -74,7 +74,7 @@ class PlotRun(unittest.TestCase):
 
     def test_the_distance_from_the_exact_shape_and_the_excess_energy_are_those_put_in(self):
         write_run(self.folder, *discocyte(displaced=0.25), rows=rows(energy_factor=1.02))
-        _, out, _ = self.plot()
+        _, out, _ = self.plot("--only", "profile", "energy")
         rms, largest = (float(x) for x in re.search(r"distance ([\d.]+) cells.*largest ([\d.]+) cells", out).groups())
         self.assertAlmostEqual(rms, 0.25, delta=0.01)
         self.assertAlmostEqual(largest, 0.25, delta=0.02)
@@ -89,7 +89,7 @@ class PlotRun(unittest.TestCase):
         height = (points - middle) @ axis
         flat -= numpy.outer(numpy.where(height > 1.0, height - 1.0, 0.0), axis)  # one face pressed flat
         write_run(self.folder, flat, triangles, curvature, rows=rows())
-        _, out, _ = self.plot()
+        _, out, _ = self.plot("--only", "profile")
         self.assertGreater(float(re.search(r"largest ([\d.]+) cells", out).group(1)), 1.5)
 
     def test_a_run_in_real_units_is_compared_in_cells(self):
@@ -100,7 +100,7 @@ class PlotRun(unittest.TestCase):
         series.write_text(series.read_text().replace('timestep="600"', 'timestep="0.0109"'))
         (self.folder / "summary.json").write_text(
             json.dumps({"scales": {"cell_m": cell, "step_s": 1.8e-5, "density_kg_per_m3": 1e3}}))
-        status, out, _ = self.plot()
+        status, out, _ = self.plot("--only", "profile")
         self.assertEqual(status, 0)
         self.assertAlmostEqual(float(re.search(r"distance ([\d.]+) cells", out).group(1)), 0.1, delta=0.01)
 
@@ -108,12 +108,12 @@ class PlotRun(unittest.TestCase):
         # The vesicle goes on shrinking after the last surface: its own volume must serve.
         samples = rows()[:3] + [sample(600, 0.60, 0.9 * VOLUME, 1.9)]
         write_run(self.folder, *discocyte(), rows=samples, step=400)
-        _, out, _ = self.plot()
+        _, out, _ = self.plot("--only", "profile")
         self.assertLess(float(re.search(r"distance ([\d.]+) cells", out).group(1)), 0.02)
 
     def test_a_shape_without_theory_is_drawn_alone(self):
         write_run(self.folder, *discocyte(), rows=[sample(400, 0.2, VOLUME, 4.0)])
-        status, out, _ = self.plot()
+        status, out, _ = self.plot("--only", "profile")
         self.assertEqual(status, 0)
         self.assertIn("no exact shape is known at v = 0.2000", out)
         self.assert_drawn(self.folder / "pictures" / "profile.png")
@@ -121,13 +121,13 @@ class PlotRun(unittest.TestCase):
     def test_spontaneous_curvature_is_remarked(self):
         resolved = RESOLVED.replace("spontaneous_curvature = 0.0", "spontaneous_curvature = 0.05")
         write_run(self.folder, *discocyte(), rows=rows(), resolved=resolved)
-        status, out, _ = self.plot()
+        status, out, _ = self.plot("--only", "profile", "energy")
         self.assertEqual(status, 0)
         self.assertNotIn("from the oblate", out)
 
     def test_without_surfaces_the_other_pictures_are_drawn(self):
         write_run(self.folder, rows=rows())
-        status, out, err = self.plot()
+        status, out, err = self.plot("--only", "profile", "energy")
         self.assertEqual(status, 0)
         self.assertIn("profile.png is left out", err)
         self.assertIn("surfaces = { every = N }", err)
@@ -156,7 +156,7 @@ class PlotRun(unittest.TestCase):
         write_run(self.folder, *discocyte(), rows=rows())
         surface = next((self.folder / "surfaces").glob("*.vtp"))
         surface.write_bytes(surface.read_bytes()[:500])
-        status, out, err = self.plot()
+        status, out, err = self.plot("--only", "surface", "energy")
         self.assertEqual(status, 1)
         self.assertIn("surface.png failed", err)
         self.assertIn("energy.png", out)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path.insert(0, str(ROOT / "python"))
 
 COLUMNS = (
     "step,time,vesicle,area,area_ratio,volume,reduced_volume,bending_energy,mean_curvature_integral,"

@@ -4,7 +4,7 @@ import math
 
 import numpy
 
-from plotting.surface import read_surface
+from vesica.plotting.surface import read_surface
 
 
 def legendre_amplitude(surface, degree, axis=(0.0, 0.0, 1.0)):

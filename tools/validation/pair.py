@@ -8,7 +8,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
-from plotting.surface import read_surface
+from vesica.plotting.surface import read_surface
 
 
 def both(finished):

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import h5py
 import numpy
 
-from plotting.comparison import compare
-from plotting.helfrich import HelfrichShapes
-from plotting.surface import fold
 from validation.simulations import Simulation
+from vesica.plotting.comparison import compare
+from vesica.plotting.helfrich import HelfrichShapes
+from vesica.plotting.surface import fold
 
 BRANCH_OF = {"discocyte": "oblate", "prolate": "prolate", "stomatocyte": "stomatocyte"}
 THEORY = HelfrichShapes()

@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy
 
-from plotting.run_directory import RunDirectory
-from plotting.surface import read_surface
+from vesica.plotting.run_directory import RunDirectory
+from vesica.plotting.surface import read_surface
 
 
 @dataclass(frozen=True)

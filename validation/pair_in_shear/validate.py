@@ -10,11 +10,11 @@ import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 
-from validation import keller_skalak
 from validation.in_flow import greatest_rate, steps_of_strain
 from validation.item import Item
 from validation.pair import both, half_turn_asymmetry, judge_integrity, least_gap, separation
 from validation.simulations import Simulation
+from vesica.plotting import keller_skalak
 
 CASE = Path(__file__).with_name("pair.toml")
 VISCOSITY, V, CAPILLARY = 0.5, 0.95, 1.0

@@ -14,12 +14,12 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "tools"))
 
 from axisymmetric_minimiser import follow
-from plotting.comparison import compare
-from plotting.helfrich import Meridian
-from plotting.surface import fold
 from validation.item import Item
 from validation.shapes_at_rest import bending_time, pressure_jump
 from validation.simulations import Simulation
+from vesica.plotting.comparison import compare
+from vesica.plotting.helfrich import Meridian
+from vesica.plotting.surface import fold
 
 RADIUS, KAPPA, NU, MARGIN = 16, 0.6, 0.25, 11
 BENDING_TIMES = 2

@@ -8,10 +8,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 
-from validation import keller_skalak
 from validation.in_flow import drift_of_end, greatest_rate, mean_of_end, middle_of, steps_of_strain, viscosity_for
 from validation.item import Item
 from validation.simulations import Simulation
+from vesica.plotting import keller_skalak
 
 CASE = Path(__file__).with_name("vesicle.toml")
 CAPILLARY = 3.0  # eta rate R0^3/kappa

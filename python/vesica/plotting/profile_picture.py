@@ -3,18 +3,16 @@
 import math
 
 import numpy
-from matplotlib import pyplot
 
-from plotting import style
+from vesica.plotting import style
 
 
+@style.in_style
 def draw(folded, comparison, reduced_volume, volume, title, remark=""):
     """Returns (figure, one line that says what it shows). `comparison` may be None: then the profile alone.
     Lengths in cells; the numbers also in R0 = (3 V/(4 pi))^(1/3)."""
     radius = (3.0 * volume / (4.0 * math.pi)) ** (1.0 / 3.0)
-    figure, (shape, distance) = pyplot.subplots(
-        2, 1, figsize=(8.0, 6.4), gridspec_kw={"height_ratios": [2.6, 1.0]}, constrained_layout=True
-    )
+    figure, (shape, distance) = style.column(2, 8.0, 6.4, ratios=[2.6, 1.0], sharex=False)
     lying = numpy.ptp(folded.z) > 2.0 * folded.r.max()  # a prolate is drawn along the page
     _draw_shape(shape, folded, comparison, lying)
     shape.set_title(f"{title}: meridian profile at v = {reduced_volume:.4f}")
@@ -29,7 +27,7 @@ def draw(folded, comparison, reduced_volume, volume, title, remark=""):
     else:
         distance.set_visible(False)
     figure.text(0.5, -0.01, "\n".join(notes), ha="center", va="top", fontsize=9)
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     _grow_for_notes(figure, len(notes))
     return figure, f"meridian profile against Helfrich's exact shape; {notes[0]}"
 

@@ -1,7 +1,7 @@
 """Draws a coloured surface with VTK into a file. A program of its own: where there is no display VTK ends the whole
 process, and only another process can tell.
 
-    python -m plotting.vtk_rendering SCENE.npz PICTURE.png
+    python -m vesica.plotting.vtk_rendering SCENE.npz PICTURE.png
 """
 
 import os
@@ -20,12 +20,12 @@ def render(surface, colours, view, scene, picture):
     numpy.savez(scene, points=surface.points, triangles=surface.triangles, normals=surface.normals(),
                 colours=colours, frame=view.frame, centre=view.centre,
                 half=[view.half_width, view.half_height])
-    command = [sys.executable, "-m", "plotting.vtk_rendering", str(scene), str(picture)]
+    command = [sys.executable, "-m", "vesica.plotting.vtk_rendering", str(scene), str(picture)]
     if not os.environ.get("DISPLAY"):
         if not shutil.which("xvfb-run"):
             return False
         command = ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24"] + command
-    environment = dict(os.environ, PYTHONPATH=str(Path(__file__).resolve().parents[1]))
+    environment = dict(os.environ, PYTHONPATH=str(Path(__file__).resolve().parents[2]))
     try:
         done = subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                               timeout=120, check=False)

@@ -6,29 +6,25 @@ import math
 import re
 import tomllib
 import xml.etree.ElementTree as xml
+from functools import cached_property
 from pathlib import Path
 
 import numpy
 
+from vesica.errors import InputError, Unavailable
+
 REQUIRED = ("step", "vesicle", "area_ratio", "volume", "reduced_volume", "bending_energy", "mass_drift")
 
 
-class InputProblem(Exception):
-    """What the user gave is not a run's directory, or not one that can be read. Says what to do."""
-
-
-class Unavailable(Exception):
-    """A picture cannot be drawn from this run, for a reason that is no fault of the run."""
-
-
 class RunDirectory:
-    """Reads `metrics.csv` at once and everything else when asked."""
+    """Reads the parameters and the summary at once and everything else when asked. InputError where it is no run's."""
 
     def __init__(self, path):
         self.path = Path(path)
         if not self.path.is_dir():
-            raise InputProblem(f"{self.path}: is no directory; expected the directory of a finished run")
-        self._metrics = _read_metrics(self.path / "metrics.csv")
+            raise InputError(f"{self.path}: is no directory; expected the directory of a finished run")
+        if not any((self.path / name).is_file() for name in ("metrics.csv", "resolved.toml")):
+            raise InputError(f"{self.path / 'metrics.csv'}: not found; expected the directory of a run")
         self.resolved = _read_optional(self.path / "resolved.toml", lambda p: tomllib.loads(p.read_text("utf-8")))
         self.summary = _read_optional(self.path / "summary.json", lambda p: json.loads(p.read_text("utf-8")))
 
@@ -36,6 +32,10 @@ class RunDirectory:
     def title(self):
         title = self.resolved.get("title")
         return title if isinstance(title, str) and title else self.path.resolve().name
+
+    @cached_property
+    def _metrics(self):
+        return _read_metrics(self.path / "metrics.csv")
 
     def vesicles(self):
         """Indices of the vesicles in the metrics, ascending."""
@@ -46,7 +46,7 @@ class RunDirectory:
         chosen = self._metrics["vesicle"] == vesicle
         if not chosen.any():
             known = ", ".join(str(v) for v in self.vesicles())
-            raise InputProblem(f"{self.path / 'metrics.csv'}: has no vesicle {vesicle}; it has {known}")
+            raise InputError(f"{self.path / 'metrics.csv'}: has no vesicle {vesicle}; it has {known}")
         order = numpy.argsort(self._metrics["step"][chosen], kind="stable")
         return {name: values[chosen][order] for name, values in self._metrics.items()}
 
@@ -69,17 +69,38 @@ class RunDirectory:
         scales = self.summary.get("scales")
         return float(scales["cell_m"]) if isinstance(scales, dict) else 1.0
 
-    def last_surface(self):
-        """(path, step or None) of the newest surface; Unavailable without one. The step stands in the file's name:
-        times in the series are in seconds when the case has units."""
+    def density(self):
+        """Of the fluid, lattice units."""
+        return _lattice_value(self.resolved, "fluid", "density") or 1.0
+
+    def shear_rate(self):
+        """Of the shear that is driven, 1/steps; None without one."""
+        return _lattice_value(self.resolved, "flow", "shear", "rate") or None
+
+    def viscosity_ratio(self, vesicle):
+        return _lattice_value(self._vesicle_type(vesicle), "viscosity_ratio") or 1.0
+
+    def surfaces(self):
+        """{step: path} of the surfaces. The step stands in the file's name: times in the series are in seconds when the
+        case has units."""
         folder = self.path / "surfaces"
         listed = _series(folder / "surfaces.pvd") or sorted(folder.glob("*.vtp"))
-        if not listed:
-            raise Unavailable(f"{folder}: holds no surface; ask for some with [output] surfaces = {{ every = N }}")
-        step, path = max(((_number_in(p), p) for p in listed), key=lambda entry: -1.0 if entry[0] is None else entry[0])
-        if not path.is_file():
-            raise OSError(f"{path}: is listed in the series of surfaces but is not there")
-        return path, step
+        return {_number_in(path): path for path in listed}
+
+    def fields(self):
+        """{step: path} of the files of fields."""
+        return {_number_in(path): path for path in (self.path / "fields").glob("step_*.h5")}
+
+    def last_surface(self):
+        """(path, step) of the newest surface; Unavailable without one."""
+        found = self.surfaces()
+        if not found:
+            raise Unavailable(
+                f"{self.path / 'surfaces'}: holds no surface; ask for some with [output] surfaces = {{ every = N }}")
+        step = max(found)
+        if not found[step].is_file():
+            raise OSError(f"{found[step]}: is listed in the series of surfaces but is not there")
+        return found[step], step
 
     def _vesicle_type(self, vesicle):
         vesicles = self.resolved.get("vesicle", [])
@@ -93,24 +114,24 @@ class RunDirectory:
 
 def _read_metrics(path):
     if not path.is_file():
-        raise InputProblem(f"{path}: not found; expected the directory of a run with [output] metrics = {{ every = N }}")
+        raise InputError(f"{path}: not found; expected the directory of a run with [output] metrics = {{ every = N }}")
     with open(path, newline="", encoding="utf-8") as file:
         reader = csv.reader(file)
         header = [name.strip() for name in next(reader, [])]
         missing = [name for name in REQUIRED if name not in header]
         if missing:
-            raise InputProblem(f"{path}:1: lacks the column {missing[0]}; expected a metrics file of vesica")
+            raise InputError(f"{path}:1: lacks the column {missing[0]}; expected a metrics file of vesica")
         rows = []
         for row in reader:
             try:
                 values = [float(value) for value in row]
             except ValueError as error:
-                raise InputProblem(f"{path}:{reader.line_num}: {error}; expected numbers or nan") from None
+                raise InputError(f"{path}:{reader.line_num}: {error}; expected numbers or nan") from None
             if len(values) != len(header):
-                raise InputProblem(f"{path}:{reader.line_num}: {len(values)} values; expected {len(header)}")
+                raise InputError(f"{path}:{reader.line_num}: {len(values)} values; expected {len(header)}")
             rows.append(values)
     if not rows:
-        raise InputProblem(f"{path}: holds no sample; was the run stopped before its first one?")
+        raise InputError(f"{path}: holds no sample; was the run stopped before its first one?")
     return dict(zip(header, numpy.array(rows).T))
 
 
@@ -120,7 +141,7 @@ def _read_optional(path, read):
     try:
         return read(path)
     except (ValueError, UnicodeDecodeError) as error:  # both decoders' errors are ValueErrors
-        raise InputProblem(f"{path}: {error}") from None
+        raise InputError(f"{path}: {error}") from None
 
 
 def _lattice_value(table, *keys):
@@ -143,4 +164,4 @@ def _series(pvd):
 
 def _number_in(path):
     numbers = re.findall(r"\d+", path.stem)
-    return float(numbers[-1]) if numbers else None
+    return int(numbers[-1]) if numbers else -1

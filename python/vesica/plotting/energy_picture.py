@@ -1,21 +1,19 @@
 """energy.png: bending energy and reduced volume over time, against Helfrich's branches at the same v."""
 
 import numpy
-from matplotlib import pyplot
 
-from plotting import style, time_axis
-from plotting.helfrich import BRANCHES
-from plotting.run_directory import Unavailable
+from vesica.plotting import style, time_axis
+from vesica.plotting.helfrich import BRANCHES
+from vesica.errors import Unavailable
 
 
+@style.in_style
 def draw(metrics, shapes, title, bending_time=None, spontaneous_curvature=0.0):
     """Returns (figure, one line that says what it shows). Theory is drawn for C0 = 0 only."""
     steps, energy, v = metrics["step"], metrics["bending_energy"], metrics["reduced_volume"]
     if not numpy.isfinite(energy).any():
         raise Unavailable("every bending_energy in metrics.csv is nan")
-    figure, (upper, lower) = pyplot.subplots(
-        2, 1, figsize=(8.0, 6.0), sharex=True, gridspec_kw={"height_ratios": [2.0, 1.0]}, constrained_layout=True
-    )
+    figure, (upper, lower) = style.column(2, 8.0, 6.0, ratios=[2.0, 1.0])
     points = time_axis.marker(steps)
     upper.plot(steps, energy, color=style.RUN, label="this run", zorder=3, **points)
     closest = None
@@ -46,7 +44,7 @@ def draw(metrics, shapes, title, bending_time=None, spontaneous_curvature=0.0):
 
 def _title(title, closest, spontaneous_curvature):
     if closest:
-        return f"{title}: bending energy, at the end {100 * closest[1]:+.2f} % from the {closest[0]}"
+        return f"{title}\nbending energy, at the end {100 * closest[1]:+.2f} % from the {closest[0]}"
     if spontaneous_curvature != 0.0:
-        return f"{title}: bending energy (C0 = {spontaneous_curvature:g}; theory is for C0 = 0)"
-    return f"{title}: bending energy"
+        return f"{title}\nbending energy (C0 = {spontaneous_curvature:g}; theory is for C0 = 0)"
+    return f"{title}\nbending energy"

@@ -16,7 +16,10 @@ import numpy
 from scipy.interpolate import PchipInterpolator
 from scipy.optimize import brentq
 
-DATA = Path(__file__).resolve().parents[2] / "data" / "helfrich"
+_HERE = Path(__file__).resolve()
+# Beside the package where it is installed, else the sources' own.
+DATA = next((p for p in (_HERE.parents[1] / "data" / "helfrich", _HERE.parents[3] / "data" / "helfrich") if p.is_dir()),
+            _HERE.parents[1] / "data" / "helfrich")
 BRANCHES = ("oblate", "prolate", "stomatocyte")
 
 
@@ -36,6 +39,13 @@ class Meridian:
 
     def reduced_volume(self):
         return 6.0 * math.sqrt(math.pi) * self.volume() / self.area() ** 1.5
+
+    def inertia(self):
+        """(along the axis, across it) of a solid body of density one about its centre."""
+        dz = -numpy.gradient(self.z, self.s)
+        along = 0.5 * math.pi * numpy.trapz(self.r**4 * dz, self.s)
+        across = 0.5 * along + math.pi * numpy.trapz(self.r**2 * self.z**2 * dz, self.s)
+        return along, across
 
     def scaled(self, factor):
         return Meridian(factor * self.r, factor * self.z, factor * self.s)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy
 from scipy.spatial import cKDTree
 
-from plotting.helfrich import Meridian
+from vesica.plotting.helfrich import Meridian
 
 
 @dataclass(frozen=True)

@@ -1,72 +1,12 @@
-"""A triangulated vesicle: reading it, its areas, its axis, and its points folded into the meridian plane."""
+"""Reading surfaces, and folding their points into the meridian plane."""
 
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy
 
-from plotting.run_directory import Unavailable
-
-
-@dataclass(frozen=True)
-class Surface:
-    """A closed surface in cells; triangles counter-clockwise seen from outside."""
-
-    points: numpy.ndarray  # (n, 3)
-    triangles: numpy.ndarray  # (m, 3)
-    fields: dict  # name -> (n,) or (n, k), values on the points
-
-    def in_cells(self, cell):
-        """The same surface when a cell is `cell` long in the units it was written in."""
-        fields = dict(self.fields)
-        if "mean_curvature" in fields:
-            fields["mean_curvature"] = fields["mean_curvature"] * cell
-        if "gaussian_curvature" in fields:
-            fields["gaussian_curvature"] = fields["gaussian_curvature"] * cell**2
-        return Surface(self.points / cell, self.triangles, fields)
-
-    def face_areas(self):
-        """(m, 3): the triangles' outward normals times their areas."""
-        a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
-        return 0.5 * numpy.cross(b - a, c - a)
-
-    def point_areas(self):
-        """(n,): a third of the area of every triangle that meets in the point."""
-        thirds = numpy.linalg.norm(self.face_areas(), axis=1) / 3.0
-        return numpy.bincount(self.triangles.ravel(), numpy.repeat(thirds, 3), len(self.points))
-
-    def area(self):
-        return float(numpy.linalg.norm(self.face_areas(), axis=1).sum())
-
-    def normals(self):
-        """(n, 3): outward unit normals of the points, averaged over their triangles."""
-        sums = numpy.zeros_like(self.points)
-        faces = self.face_areas()
-        for k in range(3):
-            numpy.add.at(sums, self.triangles[:, k], faces)
-        return sums / numpy.maximum(numpy.linalg.norm(sums, axis=1, keepdims=True), 1e-300)
-
-    def volume(self):
-        return float(numpy.einsum("ij,ij->", self._middles(), self.face_areas()) / 3.0)
-
-    def centre(self):
-        """Centre of the enclosed volume, from tetrahedra over a point close by."""
-        origin = self.points.mean(axis=0)
-        a, b, c = (self.points[self.triangles[:, k]] - origin for k in range(3))
-        volumes = numpy.einsum("ij,ij->i", a, numpy.cross(b, c)) / 6.0
-        return origin + numpy.einsum("i,ij->j", volumes, (a + b + c) / 4.0) / volumes.sum()
-
-    def principal_spreads(self):
-        """Ascending area-weighted mean squares of the distances from the centre along three axes, and the axes
-        as columns of a right-handed frame."""
-        offsets = self.points - self.centre()
-        weights = self.point_areas()
-        spreads, axes = numpy.linalg.eigh(numpy.einsum("i,ij,ik->jk", weights, offsets, offsets) / weights.sum())
-        axes[:, 2] *= numpy.sign(numpy.linalg.det(axes))
-        return spreads, axes
-
-    def _middles(self):
-        return self.points[self.triangles].mean(axis=1)
+from vesica.errors import Unavailable
+from vesica.surface import Surface
 
 
 @dataclass(frozen=True)
@@ -93,8 +33,9 @@ def fold(surface):
     return FoldedSurface(r, z, surface.point_areas(), axis, float(asymmetry))
 
 
-def read_surface(path, vesicle=0):
-    """One vesicle of a .vtp file; OSError when it cannot be read, Unavailable when the vesicle is not in it."""
+def read_surface(path, vesicle=0, every=False):
+    """One vesicle of a .vtp file, or every one, told apart by the field `vesicle`; OSError when it cannot be read,
+    Unavailable when the vesicle is not in it."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -121,7 +62,10 @@ def read_surface(path, vesicle=0):
     fields = _arrays(data.GetPointData(), vtk_to_numpy)
     labels = fields.get("vesicle")
     face_labels = labels[triangles[:, 0]] if labels is not None else _arrays(data.GetCellData(), vtk_to_numpy).get("vesicle")
-    if face_labels is not None:
+    if face_labels is not None and every:
+        fields["vesicle"] = numpy.zeros(len(points), dtype=int)
+        fields["vesicle"][triangles] = face_labels.astype(int)[:, None]
+    elif face_labels is not None:
         triangles = triangles[face_labels == vesicle]
     if len(triangles) == 0:
         raise Unavailable(f"{path}: vesicle {vesicle} is not in it")

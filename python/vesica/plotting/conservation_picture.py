@@ -1,11 +1,11 @@
 """conservation.png: how well area, volume and colour mass are held."""
 
 import numpy
-from matplotlib import pyplot
 
-from plotting import style, time_axis
+from vesica.plotting import style, time_axis
 
 
+@style.in_style
 def draw(metrics, title):
     """Returns (figure, one line that says what it shows)."""
     steps, volume = metrics["step"], metrics["volume"]
@@ -19,7 +19,7 @@ def draw(metrics, title):
         (_change(volume), r"$V/V_{\mathrm{first}} - 1$", "volume against its first sample", "#E69F00"),
         (metrics["mass_drift"], r"$m/m_0 - 1$", "colour mass against step 0", "#009E73"),
     )
-    figure, column = pyplot.subplots(3, 1, figsize=(8.0, 6.4), sharex=True, constrained_layout=True)
+    figure, column = style.column(3, 8.0, 6.4)
     last = []
     for axes, (values, label, name, colour) in zip(column, panels):
         axes.plot(steps, values, color=colour, **time_axis.marker(steps))
