@@ -4,12 +4,13 @@ PREFIX ?= /usr/local
 CASE ?= cases/discocyte.toml
 OUT ?= out/$(basename $(notdir $(CASE)))
 
-.PHONY: help setup build demo test check-deep install format clean
+.PHONY: help setup build demo test python check-deep install format clean
 
 help:
 	@echo "make demo                 install what is missing, build, run $(CASE), plot it"
 	@echo "make test                 the same set-up, then all tests"
 	@echo "make build                the same set-up, stops after building"
+	@echo "make python               the Python package, in a virtual environment in build/python-venv"
 	@echo "make check-deep           layout, sanitizers, the second compiler, lint"
 	@echo "make install PREFIX=...   program, library, CMake package, man page, completion"
 	@echo "make format               lay out the sources with clang-format"
@@ -32,6 +33,12 @@ demo: setup
 
 test: build
 	ctest --preset $(PRESET)
+
+# Without the tests, as for the demo.
+python: setup
+	@cmake --preset $(PRESET) --log-level=WARNING
+	@cmake --build --preset $(PRESET) --target vesica_program vesica_python
+	@tools/make-python build/$(PRESET)
 
 check-deep: setup
 	@tools/check-deep

@@ -1,6 +1,8 @@
 option(VESICA_BUILD_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(VESICA_BUILD_BENCHMARKS "Build bin/vesica_benchmarks, the kernels under Google Benchmark" OFF)
 option(VESICA_BUILD_PEERS "Build the programs that benchmarks/compare-with-peers measures Palabos with" OFF)
+option(VESICA_BUILD_PYTHON "Build the Python package's compiled part, if pybind11 is there" ${PROJECT_IS_TOP_LEVEL})
+set(VESICA_PYTHON /usr/bin/python3 CACHE FILEPATH "The Python that sees the system's packages")
 option(VESICA_WARNINGS_AS_ERRORS "Refuse to compile what the compiler warns about" OFF)
 option(BUILD_SHARED_LIBS "Build libvesica as a shared library" OFF)
 set(VESICA_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize= (address,undefined or thread)")
