@@ -63,7 +63,7 @@ def page_of(found):
     for item in found:
         lines += ["", f'<a id="{item.name}"></a>', "", f"## {item.title}", "", _one_level_down(item.text)]
         if item.results is not None:
-            lines += _rows(item.results["rows"]) + _tables(item.results["tables"])
+            lines += _rows(item.results["rows"]) + table_lines(item.results["tables"])
             for note in item.results["notes"]:
                 lines += ["", note]
     return "\n".join(lines) + "\n"
@@ -76,23 +76,23 @@ def _rows(rows):
     for row in rows:
         target = "" if row["target"] is None else number(row["target"])
         cells = (row["law"], row["conditions"], number(row["measured"]), target, row["tolerance"], SIGNS[row["verdict"]])
-        lines.append(_row(cells))
+        lines.append(row_line(cells))
     return lines
 
 
-def _tables(tables):
+def table_lines(tables):
     lines = []
     for table in tables:
-        lines += ["", f"**{table['title']}**", "", _row(table["columns"])]
+        lines += ["", f"**{table['title']}**", "", row_line(table["columns"])]
         lines.append("|" + " --- |" * len(table["columns"]))
         for row in table["rows"]:
             cells = [cell if isinstance(cell, str) else number(cell) for cell in row]
             cells += [""] * (len(table["columns"]) - len(cells))
-            lines.append(_row(cells))
+            lines.append(row_line(cells))
     return lines
 
 
-def _row(cells):
+def row_line(cells):
     """A bar within a cell, as in int |f|, would end it."""
     return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
 

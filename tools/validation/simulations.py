@@ -20,17 +20,18 @@ from vesica.plotting.surface import read_surface
 @dataclass(frozen=True)
 class Simulation:
     """One run: a case file, what is changed in it (key path -> TOML value as Python number, string, list), and where
-    it goes."""
+    it goes. `options` are further ones of `vesica run`."""
 
     name: str
     case: Path
     settings: dict = field(default_factory=dict)
+    options: tuple = ()
 
     def arguments(self):
         changes = []
         for key, value in self.settings.items():
             changes += ["--set", f"{key}={json.dumps(value)}"]
-        return [str(self.case), *changes]
+        return [str(self.case), *changes, *self.options]
 
     def stamp(self):
         """What must not have changed if an earlier result is to stand for this run."""
@@ -72,8 +73,8 @@ class Finished:
         return int(self.metrics["step"][-1])
 
 
-def run_all(simulations, folder, program, processes):
-    """Runs what is not done yet, `processes` at a time with one thread each, the first in the list first.
+def run_all(simulations, folder, program, processes, threads=1):
+    """Runs what is not done yet, `processes` at a time with as many threads each, the first in the list first.
     Returns name -> Finished."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -81,11 +82,11 @@ def run_all(simulations, folder, program, processes):
     if len(set(names)) != len(names):
         raise ValueError(f"two runs of one name among {names}")
     with ThreadPoolExecutor(max_workers=max(1, processes)) as pool:
-        finished = list(pool.map(lambda s: run_one(s, folder, program), simulations))
+        finished = list(pool.map(lambda s: run_one(s, folder, program, threads), simulations))
     return dict(zip(names, finished))
 
 
-def run_one(simulation, folder, program):
+def run_one(simulation, folder, program, threads=1):
     directory = folder / simulation.name
     stamp_file = folder / f"{simulation.name}.stamp.json"
     stamp = simulation.stamp()
@@ -96,10 +97,10 @@ def run_one(simulation, folder, program):
 
     spent = earlier.get("seconds", 0.0) if same else 0.0
     if same and any((directory / "checkpoints").glob("*.h5")):
-        command = [program, "resume", str(directory), "--threads", "1"]
+        command = [program, "resume", str(directory), "--threads", str(threads)]
     else:
         spent = 0.0
-        command = [program, "run", *simulation.arguments(), "-o", str(directory), "--overwrite", "--threads", "1"]
+        command = [program, "run", *simulation.arguments(), "-o", str(directory), "--overwrite", "--threads", str(threads)]
     _write(stamp_file, {"stamp": stamp, "ended": False, "seconds": spent})
     print(f"   {simulation.name}: starts", flush=True)
     status, _, words, seconds = run_timed(command)
