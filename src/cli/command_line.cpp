@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string_view>
@@ -23,10 +22,18 @@ namespace {
 constexpr int run_failed = 1;
 constexpr int input_wrong = 2;
 
+bool is_command(const CLI::App& app, const std::string& word) {
+    const auto commands =
+        app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
+    return !commands.empty();
+}
+
+/// Those that are in the help; commands for the program's own use are in no group.
 std::vector<std::string> command_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({}))
-        names.push_back(command->get_name());
+        if (!command->get_group().empty())
+            names.push_back(command->get_name());
     return names;
 }
 
@@ -35,9 +42,9 @@ void refuse_unknown_command(const CLI::App& app, int argument_count, const char*
     if (argument_count < 2 || arguments[1][0] == '-')
         return;
     const std::string word = arguments[1];
-    const std::vector<std::string> names = command_names(app);
-    if (std::find(names.begin(), names.end(), word) != names.end())
+    if (is_command(app, word))
         return;
+    const std::vector<std::string> names = command_names(app);
     throw InputError(fmt::format("{} is not a command; expected one of {}; try `vesica {}`", word,
                                  fmt::join(names, ", "), nearest_word(word, names)));
 }

@@ -24,10 +24,6 @@ void declare_planned(CLI::App& app, Action& action, const std::string& name, con
 
 } // namespace
 
-void declare_reproduce(CLI::App& app, Action& action) {
-    declare_planned(app, action, "reproduce", "Reproduce figures and tables of the reference paper");
-}
-
 void declare_report(CLI::App& app, Action& action) {
     declare_planned(app, action, "report", "Make one self-contained HTML file of a run");
 }
