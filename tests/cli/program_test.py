@@ -107,7 +107,6 @@ class CommandLine(Program):
             self.assertIn("the standard output cannot be written", done.stderr)
 
     def test_what_is_not_available_yet_says_so(self):
-        self.refused("reproduce", "fig4", "--quick", saying="not available yet")
         self.refused("report", "out", saying="not available yet")
 
 

@@ -10,4 +10,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --build "${WORK_DIR}/build" COMMAND_ERR
 execute_process(COMMAND "${WORK_DIR}/build/consumer" "${prefix}/share/vesica/cases/discocyte.toml" COMMAND_ERROR_IS_FATAL ANY)
 if(EXISTS "${prefix}/bin/vesica")
     execute_process(COMMAND "${prefix}/bin/vesica" --version COMMAND_ERROR_IS_FATAL ANY)
+    # An item that needs the scripts, the program's own tables and a picture, and no run.
+    execute_process(COMMAND "${prefix}/bin/vesica" reproduce appendix-b -o "${WORK_DIR}/reproduction" COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND "${prefix}/bin/vesica" reproduce --list COMMAND_ERROR_IS_FATAL ANY)
 endif()

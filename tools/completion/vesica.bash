@@ -4,12 +4,12 @@ _vesica() {
     local current=$2 previous=$3 command=${COMP_WORDS[1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "run check resume new info bench --help --version" -- "$current")
+        mapfile -t COMPREPLY < <(compgen -W "run check resume new info bench reproduce --help --version" -- "$current")
         return
     fi
     case $previous in
         -o | --output)
-            if [[ $command == run ]]; then
+            if [[ $command == run || $command == reproduce ]]; then
                 mapfile -t COMPREPLY < <(compgen -d -- "$current")
             else
                 mapfile -t COMPREPLY < <(compgen -f -- "$current")
@@ -33,6 +33,7 @@ _vesica() {
         resume) options="--threads --steps --profile --blocks --balance --help" ;;
         new) options="--list --output --help" ;;
         bench) options="--json --threads --size --case --colours --seconds --help" ;;
+        reproduce) options="--all --list --quick --output --threads --help" ;;
         info) ;;
         *) return ;;
     esac
@@ -43,6 +44,7 @@ _vesica() {
     case $command in
         run | check) mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -X '!*.toml' -- "$current") ;;
         new) mapfile -t COMPREPLY < <(compgen -W "$(vesica new --list 2>/dev/null | awk '{ print $1 }')" -- "$current") ;;
+        reproduce) mapfile -t COMPREPLY < <(compgen -W "$(vesica reproduce --list 2>/dev/null | awk '{ print $1 }')" -- "$current") ;;
         resume) mapfile -t COMPREPLY < <(compgen -d -- "$current") ;;
         info) mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
     esac
