@@ -38,7 +38,7 @@ def paint(axes, surface, frame, *, values=None, norm=None, cmap="viridis", colou
         lit = base.copy()
         lit[:, :3] = numpy.clip(base[:, :3] * shade[:, None], 0.0, 1.0)
         lit[:, 3] = alpha
-        mesh = TriMesh(tri.Triangulation(projected[:, 0], projected[:, 1], triangles), rasterized=True)
+        mesh = TriMesh(tri.Triangulation(projected[:, 0], projected[:, 1], triangles), rasterized=True, antialiased=alpha == 1.0)
         mesh.set_facecolor(lit)
         axes.add_collection(mesh)
     half = 1.05 * numpy.abs(projected[:, :2]).max()

@@ -50,8 +50,9 @@ def section(surface, level, axis=1):
     for a, b in ((0, 1), (1, 2), (2, 0)):
         i, j = surface.triangles[:, a], surface.triangles[:, b]
         crossing = (offset[i] <= 0.0) & (offset[j] > 0.0)
-        share = (offset[i] / (offset[i] - offset[j]))[crossing, None]
-        points.append(surface.points[i[crossing]] * (1 - share) + surface.points[j[crossing]] * share)
+        i, j = i[crossing], j[crossing]
+        share = (offset[i] / (offset[i] - offset[j]))[:, None]
+        points.append(surface.points[i] * (1 - share) + surface.points[j] * share)
     points = numpy.delete(numpy.concatenate(points), axis, axis=1)
     middle = points.mean(axis=0)
     return points[numpy.argsort(numpy.arctan2(*(points - middle).T[::-1]))]

@@ -21,7 +21,7 @@ AREA, VOLUME = DEFLATION * 4 * math.pi * RADIUS**2, sphere_volume(RADIUS)
 def plan(quick):
     """Exact shapes, a few hundred steps: long enough for the lattice's own layer, too short to go anywhere."""
     steps = 50 if quick else STEPS
-    common = {"fluid.segregation": BETA, "run.steps": steps, "output.fields.every": steps, "output.fields.names": ["phase"],
+    common = {"fluid.segregation": BETA, "vesicle_type.vesicle.bending.modulus": 0.0625, "run.steps": steps, "output.fields.every": steps, "output.fields.names": ["phase"],
               "output.surfaces.every": steps, "output.metrics.every": 10, "output.checkpoint.every": 0}  # fmt: skip
     shapes = [exact(shape, RADIUS, bending_times=1, tag="-raw", settings=common) for shape in ("prolate", "discocyte")]
     mesh = {"output.surfaces.every": steps, "run.steps": steps, "output.fields.every": steps}

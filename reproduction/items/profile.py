@@ -77,7 +77,8 @@ def _figure(r, z, exact, radius):
     figure, axes = pyplot.subplots(figsize=(7.0, 4.2), constrained_layout=True)
     axes.plot(*outline(1.0), color="black", label="Evans and Fung 1972")
     axes.plot(exact.r / radius, numpy.abs(exact.z) / radius, "--", color=style.RUN, linewidth=1.2, label="Helfrich, exact")
-    chosen = slice(None, None, max(1, len(r) // 250))
+    order = numpy.argsort(r)
+    chosen = order[numpy.unique(numpy.searchsorted(r[order], numpy.linspace(0.0, r.max(), 60)).clip(0, len(r) - 1))]
     axes.plot(r[chosen], z[chosen], "o", color="#E69F00", markerfacecolor="none", markersize=4, label="Vesica")
     axes.set_aspect("equal")
     axes.set_xlim(0.0, 1.08)

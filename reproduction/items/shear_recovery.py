@@ -14,21 +14,19 @@ START, STOP, END = 40000, 80000, 110000
 
 
 def times(quick):
-    return (300, 900, 1500) if quick else (START, STOP, END)
+    return (200, 600, 2000) if quick else (START, STOP, END)
 
 
 def plan(quick):
     start, stop, end = times(quick)
-    radius, size = (9.0, [44, 40, 44]) if quick else (RADIUS, [75, 75, 75])
-    shape = ({"vesicle[0].shape": "discocyte", "vesicle[0].reduced_volume": 0.75} if quick else
-             {"vesicle[0].shape": "discocyte", "vesicle[0].reduced_volume": DEFLATION**-1.5})  # fmt: skip
+    radius, size = (10.0, [44, 36, 44]) if quick else (RADIUS, [75, 75, 75])
     return [Simulation("shear-recovery" + ("-quick" if quick else ""), CASE, {
-        "lattice.size": size, "vesicle[0].centre": [size[0] / 2, (size[1] // 2) + 0.5, size[2] / 2], "vesicle[0].radius": radius, **shape,
+        "lattice.size": size, "vesicle[0].centre": [size[0] / 2, (size[1] // 2) + 0.5, size[2] / 2], "vesicle[0].radius": radius, "vesicle[0].reduced_volume": 0.65 if quick else DEFLATION**-1.5,
         "fluid.kinematic_viscosity": NU, "fluid.segregation": 0.6,
-        "vesicle_type.cell.bending.modulus": 0.25, "vesicle_type.cell.tension.sigma": 1e-5,
-        "flow.shear.rate": 2e-3 if quick else RATE, "flow.shear.start": start, "flow.shear.stop": stop,
+        "vesicle_type.cell.bending.modulus": 0.5 if quick else 0.25, "vesicle_type.cell.tension.sigma": 1e-5,
+        "flow.shear.rate": 5e-4 if quick else RATE, "flow.shear.start": start, "flow.shear.stop": stop,
         "numerics.precision": "single", "run.steps": end, "output.metrics.every": end // 220 if quick else 200,
-        "output.surfaces.every": 300 if quick else 10000, "output.fields.every": 0, "output.checkpoint.every": end // 10,
+        "output.surfaces.every": 200 if quick else 10000, "output.fields.every": 0, "output.checkpoint.every": end // 10,
     })]  # fmt: skip
 
 
