@@ -10,6 +10,7 @@ find_package(spdlog REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(meshoptimizer REQUIRED)
 
 # xxHash comes without a CMake package.
 if(NOT TARGET xxhash::xxhash)
@@ -24,5 +25,7 @@ endif()
 set(VESICA_DEPENDENCIES
     OpenMP::OpenMP_CXX MPI::MPI_C hdf5::hdf5 ZLIB::ZLIB Eigen3::Eigen fmt::fmt spdlog::spdlog
     tomlplusplus::tomlplusplus CLI11::CLI11 nlohmann_json::nlohmann_json xxhash::xxhash)
+# Needed by a file or two each: linked, and found, but without its definitions in every compilation.
+set(VESICA_PRIVATE_DEPENDENCIES meshoptimizer::meshoptimizer)
 # mpi.h, read by the parallel hdf5.h, would otherwise bring MPI's abandoned C++ bindings.
 set(VESICA_DEPENDENCY_DEFINITIONS OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)

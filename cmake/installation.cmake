@@ -19,6 +19,7 @@ endif()
 install(FILES "${PROJECT_SOURCE_DIR}/docs/man/vesica.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 install(FILES "${PROJECT_SOURCE_DIR}/tools/completion/vesica.bash"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME vesica)
+install(FILES "${VESICA_REPORT_PAGE}" DESTINATION "${CMAKE_INSTALL_DATADIR}/vesica" OPTIONAL)
 foreach(folder cases data)
     if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}")
         install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION "${CMAKE_INSTALL_DATADIR}/vesica"

@@ -42,6 +42,10 @@ function(vesica_house)
     target_compile_features(vesica PUBLIC cxx_std_20)
     target_compile_definitions(vesica PUBLIC ${VESICA_DEPENDENCY_DEFINITIONS})
     target_link_libraries(vesica PUBLIC ${VESICA_DEPENDENCIES} PRIVATE $<BUILD_INTERFACE:vesica_build_flags>)
+    foreach(library IN LISTS VESICA_PRIVATE_DEPENDENCIES)
+        target_link_libraries(vesica PRIVATE $<LINK_ONLY:${library}>)
+        target_include_directories(vesica SYSTEM PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
+    endforeach()
     set_target_properties(vesica PROPERTIES LINKER_LANGUAGE CXX
         VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     # What most files include, parsed once. The preset `clang` goes without, so that each file includes what it uses.

@@ -34,6 +34,9 @@ void declare_overrides(CLI::App& command, std::vector<std::string>& overrides);
 /// A whole number of at least 1; `value` is left alone where the option is not given.
 void declare_steps(CLI::App& command, std::int64_t& steps, const std::string& description);
 void declare_threads(CLI::App& command, int& threads);
+/// A whole number from `lowest` to `highest` for any other option.
+void declare_count(CLI::App& command, const std::string& option, std::size_t& count, std::int64_t lowest,
+                   std::int64_t highest, const std::string& description);
 void declare_soft_membranes(CLI::App& command, bool& accepted);
 
 /// How several ranks share a box: `--blocks X,Y,Z` and `--balance cells|interface`.

@@ -11,15 +11,15 @@ namespace vesica {
 
 namespace {
 
-/// Throws InputError for anything but a whole number from 1 to `highest`. The parser's own conversion takes a
-/// number that is too large for the largest there is.
+/// Throws InputError for anything but a whole number from `lowest` to `highest`. The parser's own conversion
+/// takes a number that is too large for the largest there is.
 std::int64_t whole_number(const std::string& option, const std::string& text, std::int64_t highest,
-                          std::int64_t example) {
+                          std::int64_t example, std::int64_t lowest = 1) {
     std::int64_t value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (code != std::errc{} || end != text.data() + text.size() || value < 1 || value > highest)
-        throw InputError(fmt::format("{0} is {1}; expected a whole number from 1 to {2}; try {0} {3}", option,
-                                     text.empty() ? "empty" : text, highest, example));
+    if (code != std::errc{} || end != text.data() + text.size() || value < lowest || value > highest)
+        throw InputError(fmt::format("{0} is {1}; expected a whole number from {4} to {2}; try {0} {3}",
+                                     option, text.empty() ? "empty" : text, highest, example, lowest));
     return value;
 }
 
@@ -54,6 +54,19 @@ void declare_threads(CLI::App& command, int& threads) {
                 threads = static_cast<int>(whole_number("--threads", text, 4096, 2));
             },
             "Threads to use; by default OMP_NUM_THREADS or all processors")
+        ->type_name("N");
+}
+
+void declare_count(CLI::App& command, const std::string& option, std::size_t& count, std::int64_t lowest,
+                   std::int64_t highest, const std::string& description) {
+    const auto usual = static_cast<std::int64_t>(count);
+    command
+        .add_option_function<std::string>(
+            option,
+            [&count, option, lowest, highest, usual](const std::string& text) {
+                count = static_cast<std::size_t>(whole_number(option, text, highest, usual, lowest));
+            },
+            description)
         ->type_name("N");
 }
 

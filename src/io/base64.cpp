@@ -1,5 +1,6 @@
 #include "io/base64.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -49,6 +50,20 @@ std::optional<std::string> decode_base64(std::string_view text, std::size_t coun
     if (bytes.size() > count)
         bytes.resize(count);
     return bytes;
+}
+
+std::string encode_base64(std::string_view bytes) {
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k <= count ? digits[bits >> (18 - 6 * k) & 63u] : '=';
+    }
+    return text;
 }
 
 } // namespace vesica

@@ -12,4 +12,7 @@ namespace vesica {
 /// characters or half a group are met.
 std::optional<std::string> decode_base64(std::string_view text, std::size_t count);
 
+/// The bytes in base64, padded, without line breaks.
+std::string encode_base64(std::string_view bytes);
+
 } // namespace vesica

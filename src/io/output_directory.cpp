@@ -145,4 +145,9 @@ OutputDirectory OutputDirectory::open(const Path& path) {
     return OutputDirectory(path);
 }
 
+bool is_being_written(const Path& directory) {
+    const FileDescriptor lock(::open((directory / lock_name).c_str(), O_RDONLY | O_CLOEXEC));
+    return lock && ::flock(lock.number(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 } // namespace vesica

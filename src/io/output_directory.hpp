@@ -34,4 +34,7 @@ private:
 /// anyway.
 std::vector<std::filesystem::path> removable_outputs(const std::filesystem::path& directory);
 
+/// Whether a run holds the directory now.
+bool is_being_written(const std::filesystem::path& directory);
+
 } // namespace vesica

@@ -106,9 +106,6 @@ class CommandLine(Program):
             self.assertEqual(done.returncode, 1, arguments)
             self.assertIn("the standard output cannot be written", done.stderr)
 
-    def test_what_is_not_available_yet_says_so(self):
-        self.refused("report", "out", saying="not available yet")
-
 
 class Input(Program):
     def test_a_missing_case_file(self):

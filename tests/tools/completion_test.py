@@ -8,7 +8,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("VESICA_PROGRAM", "")
-COMMANDS = ("run", "check", "resume", "new", "info", "bench", "reproduce")
+COMMANDS = ("run", "check", "resume", "new", "info", "bench", "reproduce", "report")
 LONG_OPTION = re.compile(r"--[a-z][a-z-]*")
 
 
@@ -26,7 +26,7 @@ def complete(*words):
 class Completion(unittest.TestCase):
     def test_the_commands_are_offered(self):
         self.assertEqual(complete(""), {*COMMANDS, "--help", "--version"})
-        self.assertEqual(complete("re"), {"resume", "reproduce"})
+        self.assertEqual(complete("re"), {"resume", "reproduce", "report"})
 
     def test_cases_are_offered_to_run_and_check(self):
         for command in ("run", "check"):

@@ -4,7 +4,7 @@ _vesica() {
     local current=$2 previous=$3 command=${COMP_WORDS[1]}
     COMPREPLY=()
     if [[ $COMP_CWORD -eq 1 ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "run check resume new info bench reproduce --help --version" -- "$current")
+        mapfile -t COMPREPLY < <(compgen -W "run check resume new info bench reproduce report --help --version" -- "$current")
         return
     fi
     case $previous in
@@ -24,7 +24,7 @@ _vesica() {
             mapfile -t COMPREPLY < <(compgen -W "cells interface" -- "$current")
             return
             ;;
-        --blocks | --set | --threads | --steps | --size | --colours | --seconds) return ;;
+        --blocks | --set | --threads | --steps | --size | --colours | --seconds | --triangles | --frames | --max-size) return ;;
     esac
     local options="--help"
     case $command in
@@ -34,6 +34,7 @@ _vesica() {
         new) options="--list --output --help" ;;
         bench) options="--json --threads --size --case --colours --seconds --help" ;;
         reproduce) options="--all --list --quick --output --threads --help" ;;
+        report) options="--output --triangles --frames --max-size --help" ;;
         info) ;;
         *) return ;;
     esac
@@ -45,7 +46,7 @@ _vesica() {
         run | check) mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -X '!*.toml' -- "$current") ;;
         new) mapfile -t COMPREPLY < <(compgen -W "$(vesica new --list 2>/dev/null | awk '{ print $1 }')" -- "$current") ;;
         reproduce) mapfile -t COMPREPLY < <(compgen -W "$(vesica reproduce --list 2>/dev/null | awk '{ print $1 }')" -- "$current") ;;
-        resume) mapfile -t COMPREPLY < <(compgen -d -- "$current") ;;
+        resume | report) mapfile -t COMPREPLY < <(compgen -d -- "$current") ;;
         info) mapfile -t COMPREPLY < <(compgen -f -- "$current") ;;
     esac
 }
