@@ -46,6 +46,10 @@ function(vesica_house)
         target_link_libraries(vesica PRIVATE $<LINK_ONLY:${library}>)
         target_include_directories(vesica SYSTEM PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
     endforeach()
+    # The one file that sees httplib.h, as its library was compiled.
+    set_source_files_properties("${PROJECT_SOURCE_DIR}/src/io/report_server.cpp" PROPERTIES
+        SKIP_PRECOMPILE_HEADERS ON
+        COMPILE_DEFINITIONS "$<TARGET_PROPERTY:httplib::httplib,INTERFACE_COMPILE_DEFINITIONS>")
     set_target_properties(vesica PROPERTIES LINKER_LANGUAGE CXX
         VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     # What most files include, parsed once. The preset `clang` goes without, so that each file includes what it uses.

@@ -74,5 +74,5 @@ export function decodeFrame(bytes, cell) {
     MeshoptDecoder.decodeIndexBuffer(triangles, one.triangles * 3, 4, triangleBytes);
     surfaces.push(new Surface(one, new Uint16Array(points.buffer), new Uint32Array(triangles.buffer), cell, header.value_steps));
   }
-  return { step: header.step, time: header.time, surfaces };
+  return { step: header.step, time: header.time, spreads: header.spreads, surfaces };
 }

@@ -79,6 +79,7 @@ function start() {
   follow(manifest, (newer) => {
     const wasLast = store.get("frame") >= frames().length - 1;
     const hadSamples = metrics.steps.length > 0;
+    if (!manifest.box && newer.box) return location.reload(); // the page was opened before the run had begun
     Object.assign(manifest, newer);
     metrics = new Metrics(manifest.metrics);
     showHeader(manifest);
@@ -90,9 +91,13 @@ function start() {
       showVesicles(store, metrics.vesicles);
     }
     if (wasLast && !store.get("playing")) timeline.go(frames().length - 1);
+    if (!stage.shown) stage.showFrame(); // the first there is
     timeline.say();
     if (manifest.summary) tables();
-  }, () => byId("notes").prepend(element("p", { class: "notice" }, "The run has ended, or its program no longer answers. `vesica report DIR` keeps this page.")));
+  }, () => {
+    const words = manifest.summary ? "The run has ended. " : "The program that runs this no longer answers. ";
+    byId("notes").prepend(element("p", { class: "notice" }, `${words}\`vesica report DIR\` makes a page that stays.`));
+  });
 
   // For tests and the curious: what the page holds.
   window.vesica = { store, manifest, get metrics() { return metrics; }, plots, stage };

@@ -8,7 +8,7 @@ import { View } from "./scene.js";
 
 export class Stage {
   constructor(store, manifest, timeText) {
-    Object.assign(this, { store, manifest, timeText, shown: null, request: 0 });
+    Object.assign(this, { store, manifest, timeText, shown: null, request: 0, spreads: new Map() });
     this.cell = manifest.scales?.cell_m ?? 1;
     this.frames = createFrames(manifest, this.cell);
     this.fillColours();
@@ -51,6 +51,7 @@ export class Stage {
       this.message("This browser offers no WebGL, which the view of the surfaces needs. Plots and tables are complete.");
       return false;
     }
+    if (this.manifest.frames.length === 0) this.message("The run has written no surface yet.");
     if (this.manifest.box?.ends) this.view.addWalls(this.manifest.box.ends);
     if (!this.manifest.box) this.view.frame.visible = false;
     this.view.dark(this.store.get("dark"));
@@ -98,6 +99,7 @@ export class Stage {
       const frame = await this.frames.load(outline.step);
       if (request !== this.request) return; // the reader is elsewhere already
       this.shown = frame;
+      this.spreads.set(frame.step, frame.spreads);
       this.message("");
       this.paint();
     } catch (error) {
@@ -111,10 +113,11 @@ export class Stage {
 
   // The range of colours of a quantity, over this frame or all.
   rangeOf(index) {
-    const now = this.manifest.frames[this.store.get("frame")];
-    const frames = this.store.get("range") === "frame" ? [now] : this.manifest.frames;
-    const low = Math.min(...frames.map(({ spreads }) => spreads[index][0]));
-    const high = Math.max(...frames.map(({ spreads }) => spreads[index][1]));
+    // While a run goes on only the frames that were looked at are known.
+    const all = this.manifest.frames.map(({ step, spreads }) => (spreads.length ? spreads : this.spreads.get(step))).filter(Boolean);
+    const spreads = this.store.get("range") === "frame" ? [this.shown.spreads] : all;
+    const low = Math.min(...spreads.map((spread) => spread[index][0]));
+    const high = Math.max(...spreads.map((spread) => spread[index][1]));
     return colourRange(low, high);
   }
 

@@ -28,6 +28,7 @@ struct RunArguments {
     bool profile = false;
     bool accept_soft_membranes = false;
     Sharing sharing;
+    Watching watching;
 };
 
 /// Processes of another MPI's launcher would each run the whole case.
@@ -85,6 +86,7 @@ int run(const RunArguments& arguments, Crew* crew) {
         options_of(directory_of(arguments), arguments.threads, arguments.profile, arguments.sharing, crew);
     options.overwrite = arguments.overwrite;
     options.plan.accept_soft_membranes = arguments.accept_soft_membranes;
+    const auto server = serve(arguments.watching, options.directory, what);
     return tell(run_case(what, options));
 }
 
@@ -103,6 +105,7 @@ void declare_run(CLI::App& app, Action& action, Crew* crew) {
     declare_soft_membranes(*command, arguments->accept_soft_membranes);
     declare_profile(*command, arguments->profile);
     declare_sharing(*command, arguments->sharing);
+    declare_watching(*command, arguments->watching);
     command->footer("SIGINT, SIGTERM or SIGUSR1 end the run after the step, with a checkpoint (exit status "
                     "3). Under mpirun send\n"
                     "SIGUSR1: it does not leave time after the others.");

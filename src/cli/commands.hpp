@@ -1,10 +1,14 @@
 #pragma once
 
+#include "case/case.hpp"
 #include "core/vec3.hpp"
+#include "io/report_server.hpp"
 #include "simulation/crew.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,5 +49,16 @@ struct Sharing {
     Balance balance = Balance::interface;
 };
 void declare_sharing(CLI::App& command, Sharing& sharing);
+
+/// Whether browsers may watch a run: `--watch PORT` and `--watch-address ADDRESS`.
+struct Watching {
+    std::optional<int> port;
+    std::optional<std::string> address;
+};
+void declare_watching(CLI::App& command, Watching& watching);
+/// Serves the report of the run in `directory` for as long as the answer lives, and says where; null where
+/// nobody wants to watch. Throws InputError or RunError before the run has begun.
+std::unique_ptr<ReportServer> serve(const Watching& watching, const std::filesystem::path& directory,
+                                    const Case& what);
 
 } // namespace vesica

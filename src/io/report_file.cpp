@@ -17,7 +17,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::string_view data_place = "<!--vesica:data-->";
 /// Coarser than this a surface is no picture of itself.
 constexpr std::size_t fewest_triangles = 300;
 /// What a number of the metrics takes in base64.
@@ -144,7 +143,7 @@ std::string read_report_page() {
 
 ReportOutcome write_report(const Path& directory, const Path& file, const std::string& page,
                            const ReportOptions& options) {
-    const std::size_t place = page.find(data_place);
+    const std::size_t place = page.find(report_data_place);
     if (place == std::string::npos)
         throw RunError("the report's page has no place for data; build vesica again");
     ReportRun run = read_report_run(directory);
@@ -183,16 +182,14 @@ ReportOutcome write_report(const Path& directory, const Path& file, const std::s
         outcome.bytes += text.size();
     };
     write(std::string_view(page).substr(0, place));
-    write("<script type=\"application/json\" id=\"vesica-manifest\">");
-    write(report_manifest(run, outlines_of(frames.packed()), making));
-    write("</script>\n");
+    write(report_manifest_element(report_manifest(run, outlines_of(frames.packed()), making)));
     for (const PackedStep& step : frames.packed()) {
         outcome.triangles += step.triangles;
         write(fmt::format("<script type=\"text/plain\" id=\"vesica-frame-{}\">", step.step));
         write(encode_base64(step.bytes));
         write("</script>\n");
     }
-    write(std::string_view(page).substr(place + data_place.size()));
+    write(std::string_view(page).substr(place + report_data_place.size()));
     output.commit();
     return outcome;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vesica {
@@ -24,6 +25,9 @@ struct ReportOutcome {
     std::size_t triangles = 0;      ///< of all frames
     std::vector<std::string> notes; ///< also on the page
 };
+
+/// Where in the page the data go.
+inline constexpr std::string_view report_data_place = "<!--vesica:data-->";
 
 /// The page without data, which is built from report/ and lies in ../share/vesica beside the program's
 /// folder. Throws RunError with what to install when it is not there.

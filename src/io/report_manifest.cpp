@@ -139,4 +139,8 @@ std::string report_manifest(const ReportRun& run, const std::vector<ReportFrame>
     return without_angle_brackets(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+std::string report_manifest_element(const std::string& manifest) {
+    return "<script type=\"application/json\" id=\"vesica-manifest\">" + manifest + "</script>\n";
+}
+
 } // namespace vesica

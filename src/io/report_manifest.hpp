@@ -13,7 +13,7 @@ struct ReportFrame {
     std::int64_t step = 0;
     double time = 0.0; ///< seconds, or steps where the case has no scales
     std::size_t triangles = 0;
-    std::vector<ValueSpread> spreads;
+    std::vector<ValueSpread> spreads; ///< empty: the frame itself tells
 };
 
 /// How the page was made.
@@ -28,5 +28,8 @@ struct ReportMaking {
 /// of `<`, so that it may stand in a script element.
 std::string report_manifest(const ReportRun& run, const std::vector<ReportFrame>& frames,
                             const ReportMaking& making);
+
+/// The manifest as an element of the page.
+std::string report_manifest_element(const std::string& manifest);
 
 } // namespace vesica

@@ -170,8 +170,13 @@ std::span<const ColourQuantity> colour_quantities() {
 PackedStep pack_surfaces(const SurfaceStep& step) {
     static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
     PackedStep packed{step.step, step.time, 0, 0, spreads_of(step), {}};
-    Json header{
-        {"step", step.step}, {"time", step.time}, {"value_steps", value_steps}, {"surfaces", Json::array()}};
+    Json header{{"step", step.step},
+                {"time", step.time},
+                {"value_steps", value_steps},
+                {"spreads", Json::array()},
+                {"surfaces", Json::array()}};
+    for (const ValueSpread& spread : packed.spreads)
+        header["spreads"].push_back({spread.low, spread.high});
     std::string data;
     for (const SurfaceArrays& surface : step.surfaces) {
         Json one{{"vesicle", surface.vesicle},

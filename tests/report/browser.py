@@ -18,7 +18,7 @@ FLAGS = ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swifts
 class Browser:
     """A page in a browser of its own; a context manager."""
 
-    def __init__(self, width=1280, height=900, *, dark=False, mobile=False, reduced_motion=False):
+    def __init__(self, width=1180, height=720, *, dark=False, mobile=False, reduced_motion=False):
         self.profile = tempfile.TemporaryDirectory(prefix="vesica-browser-", ignore_cleanup_errors=True)
         options = Options()
         options.binary_location = "/usr/bin/chromium"

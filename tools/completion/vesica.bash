@@ -24,11 +24,15 @@ _vesica() {
             mapfile -t COMPREPLY < <(compgen -W "cells interface" -- "$current")
             return
             ;;
-        --blocks | --set | --threads | --steps | --size | --colours | --seconds | --triangles | --frames | --max-size) return ;;
+        --watch-address)
+            mapfile -t COMPREPLY < <(compgen -W "127.0.0.1 0.0.0.0" -- "$current")
+            return
+            ;;
+        --blocks | --set | --threads | --steps | --size | --colours | --seconds | --triangles | --frames | --max-size | --watch) return ;;
     esac
     local options="--help"
     case $command in
-        run) options="--output --set --threads --steps --overwrite --profile --blocks --balance --accept-soft-membranes --help" ;;
+        run) options="--output --set --threads --steps --overwrite --profile --blocks --balance --accept-soft-membranes --watch --watch-address --help" ;;
         check) options="--set --threads --model --accept-soft-membranes --help" ;;
         resume) options="--threads --steps --profile --blocks --balance --help" ;;
         new) options="--list --output --help" ;;

@@ -1,0 +1,174 @@
+#include "io/report_server.hpp"
+
+#include "core/input_error.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace vesica {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto patience = std::chrono::milliseconds(2000);
+/// A page asks every two seconds; one that asked within this time is still open.
+constexpr auto freshness = std::chrono::milliseconds(5000);
+
+/// While this lives, threads that are begun leave signals to those that were there before.
+class NoSignals {
+public:
+    NoSignals() {
+        sigset_t all;
+        ::sigfillset(&all);
+        ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+    }
+    ~NoSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    NoSignals(const NoSignals&) = delete;
+    NoSignals& operator=(const NoSignals&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
+/// Threads that this one begins inherit it.
+void let_others_go_first() {
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), 19);
+}
+
+/// The name of the machine in a Host header, without the port.
+std::string host_of(const std::string& header) {
+    if (header.starts_with('['))
+        return header.substr(0, header.find(']') + 1);
+    return header.substr(0, header.find(':'));
+}
+
+bool is_loopback(const std::string& address) {
+    return address == "localhost" || address == "::1" || address.starts_with("127.");
+}
+
+} // namespace
+
+struct ReportServer::Listening {
+    std::shared_ptr<LiveReport> report;
+    std::string address;
+    int port = 0;
+    httplib::Server server;
+    std::thread thread;
+    std::atomic<Clock::rep> asked{0};     ///< when a page last asked for the manifest; 0: never
+    std::atomic<bool> at_end{false};      ///< the run is over
+    std::atomic<bool> end_fetched{false}; ///< and a page knows
+
+    /// A page of another site must not read the run through its reader's browser (DNS rebinding): the name
+    /// it was told to ask is none of ours. Whoever opened the port to all has no such names to check.
+    bool is_meant(const httplib::Request& request) const {
+        if (!is_loopback(address))
+            return true;
+        const std::string host = host_of(request.get_header_value("Host"));
+        return host == "[::1]" || is_loopback(host);
+    }
+
+    void route() {
+        server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+            response.set_header("X-Content-Type-Options", "nosniff");
+            response.set_header("Cache-Control", "no-store");
+            if (is_meant(request))
+                return httplib::Server::HandlerResponse::Unhandled;
+            response.status = 403;
+            response.set_content("ask for 127.0.0.1\n", "text/plain");
+            return httplib::Server::HandlerResponse::Handled;
+        });
+        server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
+            response.set_content(report->page(), "text/html; charset=utf-8");
+        });
+        server.Get("/manifest", [this](const httplib::Request& request, httplib::Response& response) {
+            give_manifest(request, response);
+        });
+        server.Get(R"(/frame/(\d{1,18}))",
+                   [this](const httplib::Request& request, httplib::Response& response) {
+                       const std::string digits = request.matches[1];
+                       std::int64_t step = 0;
+                       std::from_chars(digits.data(), digits.data() + digits.size(), step);
+                       if (const auto bytes = report->frame(step))
+                           response.set_content(*bytes, "application/octet-stream");
+                       else
+                           response.status = 404;
+                   });
+    }
+
+    void give_manifest(const httplib::Request& request, httplib::Response& response) {
+        asked = Clock::now().time_since_epoch().count();
+        const bool last = at_end;
+        const std::string tag = report->tag();
+        response.set_header("ETag", tag);
+        if (!last && request.get_header_value("If-None-Match") == tag)
+            response.status = 304;
+        else
+            response.set_content(report->manifest(), "application/json");
+        if (last)
+            end_fetched = true;
+    }
+};
+
+ReportServer::ReportServer(std::shared_ptr<LiveReport> report, const std::string& address, int port)
+    : listening_(std::make_unique<Listening>()) {
+    listening_->report = std::move(report);
+    listening_->address = address;
+    httplib::Server& server = listening_->server;
+    server.new_task_queue = [] {
+        return new httplib::ThreadPool(2);
+    };
+    server.set_keep_alive_max_count(1); // nobody holds the end of a run up
+    server.set_read_timeout(2);
+    server.set_write_timeout(5);
+    // Not even a second process of the same user may share the port, as the library would let it.
+    server.set_socket_options([](socket_t socket) {
+        const int yes = 1;
+        ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    });
+    const bool bound = port == 0 ? (listening_->port = server.bind_to_any_port(address)) > 0
+                                 : server.bind_to_port(address, port);
+    if (!bound)
+        throw RunError(
+            fmt::format("{} port {} cannot be listened to: it is in use, or not this machine's, or "
+                        "not allowed; try another with --watch, or --watch 0 for any that is free",
+                        address, port));
+    if (port != 0)
+        listening_->port = port;
+    listening_->route();
+    const NoSignals quiet;
+    listening_->thread = std::thread([this] {
+        let_others_go_first();
+        listening_->server.listen_after_bind();
+    });
+}
+
+ReportServer::~ReportServer() {
+    const auto begin = Clock::now();
+    const auto asked = Clock::time_point(Clock::duration(listening_->asked.load()));
+    listening_->at_end = true;
+    if (listening_->asked != 0 && begin - asked < freshness)
+        while (!listening_->end_fetched && Clock::now() - begin < patience)
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    // A server that has not begun to listen yet would not hear that it is to stop.
+    while (!listening_->server.is_running() && Clock::now() - begin < 2 * patience)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    listening_->server.stop();
+    listening_->thread.join();
+}
+
+std::string ReportServer::url() const {
+    const std::string& address = listening_->address;
+    const bool is_v6 = address.find(':') != std::string::npos;
+    return fmt::format("http://{}:{}/", is_v6 ? "[" + address + "]" : address, listening_->port);
+}
+
+} // namespace vesica

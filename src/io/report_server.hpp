@@ -1,0 +1,29 @@
+#pragma once
+
+#include "io/live_report.hpp"
+
+#include <memory>
+#include <string>
+
+namespace vesica {
+
+/// Serves the report of a run to browsers while the run goes on, from threads of its own that only run when
+/// no other has work (nice 19). Reading is all it offers: GET of /, /manifest and /frame/STEP.
+class ReportServer {
+public:
+    /// Listens from now on; port 0 takes a free one. Throws RunError when the address or port cannot be had.
+    ReportServer(std::shared_ptr<LiveReport> report, const std::string& address, int port);
+    /// Waits two seconds at most for browsers that have followed the run to fetch its end.
+    ~ReportServer();
+    ReportServer(const ReportServer&) = delete;
+    ReportServer& operator=(const ReportServer&) = delete;
+
+    /// Where a browser finds it: http://127.0.0.1:8080/
+    std::string url() const;
+
+private:
+    struct Listening;
+    std::unique_ptr<Listening> listening_;
+};
+
+} // namespace vesica
