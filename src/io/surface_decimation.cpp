@@ -41,7 +41,7 @@ SurfaceArrays remapped(const SurfaceArrays& surface, const std::vector<unsigned 
     for (const auto& quantity : surface.quantities)
         result.quantities.push_back(
             {quantity.name, quantity.components,
-             std::vector<double>(kept * static_cast<std::size_t>(quantity.components))});
+             std::vector<float>(kept * static_cast<std::size_t>(quantity.components))});
     for (std::size_t old = 0; old < place.size(); ++old) {
         if (place[old] == gone)
             continue;
