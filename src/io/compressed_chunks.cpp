@@ -2,7 +2,7 @@
 
 #include "core/input_error.hpp"
 #include "parallel/agreement.hpp"
-#include "parallel/for_each.hpp"
+#include "parallel/for_each_task.hpp"
 
 #include <zlib.h>
 
@@ -72,27 +72,19 @@ CompressedChunks::CompressedChunks(const Vec3<int>& box, std::size_t width, std:
                     static_cast<std::size_t>(common(layout_.elements(chunk), parts[from]).volume()) * element;
             }
         }
-        std::vector<std::exception_ptr> failures(own_.size());
-        for_each_index(static_cast<std::int64_t>(own_.size()), threads, [&](std::int64_t k) {
+        for_each_task(static_cast<std::int64_t>(own_.size()), threads, [&](std::int64_t k) {
             const auto own = static_cast<std::size_t>(k);
             const std::int64_t chunk = share.begin + k;
-            try {
-                std::vector<std::byte> whole(layout_.bytes());
-                for (std::size_t from = 0; from < parts.size(); ++from)
-                    for_each_row({layout_.begin(chunk), layout_.edges()},
-                                 common(layout_.elements(chunk), parts[from]), element,
-                                 [&](std::size_t to, std::size_t at, std::size_t length) {
-                                     std::memcpy(whole.data() + to,
-                                                 arrived[from].data() + places[own][from] + at, length);
-                                 });
-                own_[own] = shuffled_and_deflated(whole, number, level);
-            } catch (...) {
-                failures[own] = std::current_exception();
-            }
+            std::vector<std::byte> whole(layout_.bytes());
+            for (std::size_t from = 0; from < parts.size(); ++from)
+                for_each_row({layout_.begin(chunk), layout_.edges()},
+                             common(layout_.elements(chunk), parts[from]), element,
+                             [&](std::size_t to, std::size_t at, std::size_t length) {
+                                 std::memcpy(whole.data() + to, arrived[from].data() + places[own][from] + at,
+                                             length);
+                             });
+            own_[own] = shuffled_and_deflated(whole, number, level);
         });
-        for (const std::exception_ptr& failure : failures)
-            if (failure)
-                std::rethrow_exception(failure);
     });
 }
 

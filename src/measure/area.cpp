@@ -27,8 +27,8 @@ double area(const VesicleSnapshot& vesicle) {
     return raw_area(vesicle) - sphere * one_minus_genus * layer.area - layer.bending * square;
 }
 
-double gaussian_curvature_integral(const VesicleSnapshot& vesicle) {
-    return partial_gaussian_curvature(vesicle) / geometry_coverage(vesicle);
+double gaussian_curvature_integral(const VesicleSnapshot& vesicle, std::optional<double> known_area) {
+    return partial_gaussian_curvature(vesicle) / geometry_coverage(vesicle, known_area);
 }
 
 } // namespace vesica

@@ -17,9 +17,11 @@ double geometry_trust(const VesicleSnapshot& vesicle, const InterfaceCell& cell)
     return t * t * (3.0 - 2.0 * t);
 }
 
-double geometry_coverage(const VesicleSnapshot& vesicle) {
+double geometry_coverage(const VesicleSnapshot& vesicle, std::optional<double> known_area) {
     const double covered = geometry_sum(vesicle, [](const InterfaceCell& cell) { return cell.J; });
-    return covered > 0.0 ? covered / area(vesicle) : std::numeric_limits<double>::quiet_NaN();
+    if (!(covered > 0.0))
+        return std::numeric_limits<double>::quiet_NaN();
+    return covered / (known_area ? *known_area : area(vesicle));
 }
 
 LayerMoments layer_moments(const VesicleSnapshot& vesicle) {

@@ -4,6 +4,8 @@
 #include "measure/area.hpp"
 #include "measure/snapshot.hpp"
 
+#include <optional>
+
 namespace vesica {
 
 /// sum of weight * q over all cells of the layer, in exact arithmetic: int q dA plus the layer's second
@@ -40,15 +42,17 @@ LayerMoments layer_moments(const VesicleSnapshot& vesicle);
 /// The share of the membrane's area that cells with geometry represent, sum(weight * J) / A: one but for the
 /// layer's tails, where the geometry is not computed or not trusted.
 /// NaN when no cell has geometry.
-double geometry_coverage(const VesicleSnapshot& vesicle);
+double geometry_coverage(const VesicleSnapshot& vesicle, std::optional<double> known_area = {});
 
 /// int q dA over phi = 0 of a quantity already mapped to it (H0, K0, foot_point, ...), cells^2 times q's
 /// unit: the vesicle's area times the mean of q. Cells count with (1 - phi^2)^2 J: J carries their area to
 /// the mid-surface, and the square keeps to the middle of the layer, where the map is short and the other
 /// face of a thin disc is far. With the layer's own weight, 1 - phi^2, the energy of an exact discocyte is
-/// three times as far off at R0 = 10. NaN when no cell has geometry.
+/// three times as far off at R0 = 10. NaN when no cell has geometry. `known_area`, here and elsewhere, is
+/// area(vesicle), which takes three passes over the layer, where it is at hand.
 template <class Quantity>
-double mid_surface_integral(const VesicleSnapshot& vesicle, Quantity quantity) {
+double mid_surface_integral(const VesicleSnapshot& vesicle, Quantity quantity,
+                            std::optional<double> known_area = {}) {
     ExactSum sum;
     ExactSum weights;
     for (const InterfaceCell& cell : vesicle.cells) {
@@ -58,7 +62,8 @@ double mid_surface_integral(const VesicleSnapshot& vesicle, Quantity quantity) {
             weights.add(weight);
         }
     }
-    return area(vesicle) * (sum.value() / weights.value()); // 0/0 is the NaN promised
+    const double whole = known_area ? *known_area : area(vesicle);
+    return whole * (sum.value() / weights.value()); // 0/0 is the NaN promised
 }
 
 /// The point of phi = 0 nearest to a cell with geometry.

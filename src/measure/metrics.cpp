@@ -130,9 +130,10 @@ MetricsBaseline baseline_of(const VesicleSnapshot& vesicle, int index,
 
 MetricsRow measure(const VesicleSnapshot& vesicle, const Snapshot& snapshot,
                    const MetricsBaseline& baseline) {
-    const SolidBody body = solid_body(vesicle);
-    const std::array<double, 3> inertia = principal_inertia(body, snapshot.reference_density);
+    const double whole_area = area(vesicle);
     const Vec3<double> centre = centre_of_mass(vesicle);
+    const SolidBody body = solid_body(vesicle, centre, whole_area);
+    const std::array<double, 3> inertia = principal_inertia(body, snapshot.reference_density);
     const Vec3<double> velocity = (1.0 / vesicle.colour_mass) * vesicle.momentum;
     const PlaneDeformation deformation = plane_deformation(body, baseline.shear_plane);
 
@@ -140,13 +141,13 @@ MetricsRow measure(const VesicleSnapshot& vesicle, const Snapshot& snapshot,
     row.step = static_cast<double>(snapshot.step);
     row.time = static_cast<double>(snapshot.step);
     row.vesicle = baseline.vesicle;
-    row.area = area(vesicle);
+    row.area = whole_area;
     row.area_ratio = row.area / vesicle.target_area;
     row.volume = body.volume;
     row.reduced_volume = reduced_volume(body.volume, row.area);
-    row.bending_energy = bending_energy(vesicle);
-    row.mean_curvature_integral = mean_curvature_integral(vesicle);
-    row.gaussian_curvature_over_pi = gaussian_curvature_integral(vesicle) / std::numbers::pi;
+    row.bending_energy = bending_energy(vesicle, whole_area);
+    row.mean_curvature_integral = mean_curvature_integral(vesicle, whole_area);
+    row.gaussian_curvature_over_pi = gaussian_curvature_integral(vesicle, whole_area) / std::numbers::pi;
     row.inertia_1 = inertia[0];
     row.inertia_2 = inertia[1];
     row.inertia_3 = inertia[2];

@@ -47,11 +47,11 @@ Vec3<double> centre_of(const Moments& sums) {
 }
 
 /// What the layer adds to the raw sums about `origin`.
-Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin) {
+Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin, double known_area) {
     const LayerMoments layer = layer_moments(vesicle);
     const double m2 = layer.volume;
     const double m4 = layer.volume_fourth;
-    const double coverage = geometry_coverage(vesicle);
+    const double coverage = geometry_coverage(vesicle, known_area);
     Moments sums;
     if (std::isnan(coverage))
         return sums;
@@ -82,9 +82,12 @@ Moments layer_excess(const VesicleSnapshot& vesicle, const Vec3<double>& origin)
 } // namespace
 
 SolidBody solid_body(const VesicleSnapshot& vesicle) {
-    const Vec3<double> origin = centre_of_mass(vesicle);
+    return solid_body(vesicle, centre_of_mass(vesicle), area(vesicle));
+}
+
+SolidBody solid_body(const VesicleSnapshot& vesicle, const Vec3<double>& origin, double known_area) {
     const Moments raw = raw_moments(vesicle, origin);
-    const Moments excess = layer_excess(vesicle, origin);
+    const Moments excess = layer_excess(vesicle, origin, known_area);
 
     const double volume = raw.zeroth.value() - excess.zeroth.value();
     Vec3<double> shift; // from the origin to the corrected centre

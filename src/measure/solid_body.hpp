@@ -32,6 +32,8 @@ struct SolidBody {
 /// along n; from the parallel surfaces' areas 1 + 2 s H + s^2 K, and exact for a tanh and q up to second
 /// degree. q = 1, x and x x are used. Without geometry nothing is corrected.
 SolidBody solid_body(const VesicleSnapshot& vesicle);
+/// The same, about a centre of mass and with an area that are known.
+SolidBody solid_body(const VesicleSnapshot& vesicle, const Vec3<double>& centre_of_mass, double known_area);
 
 /// The volume inside phi = 0: sum (1 + phi)/2 minus the layer's share, proportional to int H dA.
 double volume(const VesicleSnapshot& vesicle);

@@ -2,6 +2,7 @@
 
 #include "core/input_error.hpp"
 #include "measure/diameter.hpp"
+#include "parallel/for_each_task.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,14 +102,16 @@ RunMetrics::RunMetrics(const Parameters& parameters, const RunParameters& run, s
     }
 }
 
-const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot) {
-    last_.clear();
-    for (std::size_t vesicle = 0; vesicle < snapshot.vesicles.size(); ++vesicle) {
+const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot, int threads) {
+    last_.assign(snapshot.vesicles.size(), {});
+    for_each_task(static_cast<std::int64_t>(last_.size()), threads, [&](std::int64_t k) {
+        const auto vesicle = static_cast<std::size_t>(k);
         const bool on_schedule =
             every_ == 0 || snapshot.step % every_ == 0;  // a run cut short must not count twice
         if (snapshot.step <= flow_start_ && on_schedule) // elongation is against the shape the flow finds
             baselines_[vesicle].diameter = largest_diameter(snapshot.vesicles[vesicle]);
-        MetricsRow row = measure(snapshot.vesicles[vesicle], snapshot, baselines_[vesicle]);
+        MetricsRow& row = last_[vesicle];
+        row = measure(snapshot.vesicles[vesicle], snapshot, baselines_[vesicle]);
         CentreTracker& tracker = trackers_[vesicle];
         const Vec3<double> centre = tracker.follow({row.x, row.y, row.z}, snapshot.sliding);
         if (snapshot.sliding) {
@@ -120,8 +123,7 @@ const std::vector<MetricsRow>& RunMetrics::sample(const Snapshot& snapshot) {
         row.x = centre.x;
         row.y = centre.y;
         row.z = centre.z;
-        last_.push_back(row);
-    }
+    });
     // The box has one viscosity, to which all of them add.
     if (last_.size() > 1) {
         double viscosity = 1.0;

@@ -29,7 +29,7 @@ public:
                const Snapshot& initial);
 
     /// Measures every vesicle.
-    const std::vector<MetricsRow>& sample(const Snapshot& snapshot);
+    const std::vector<MetricsRow>& sample(const Snapshot& snapshot, int threads = 1);
 
     /// The rows of the newest sample; none before the first.
     const std::vector<MetricsRow>& last() const { return last_; }

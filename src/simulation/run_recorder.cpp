@@ -138,7 +138,7 @@ void RunRecorder::carry_out(Event event, const Engine& engine, OutputSummary::Ki
 
 void RunRecorder::write_metrics(const Engine& engine) {
     std::vector<std::vector<double>> rows;
-    for (const MetricsRow& row : metrics_.sample(engine.snapshot()))
+    for (const MetricsRow& row : metrics_.sample(engine.snapshot(), hands_.threads))
         rows.push_back(metrics_values(row));
     metrics_file_.append(rows);
 }

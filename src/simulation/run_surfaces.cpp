@@ -1,13 +1,11 @@
 #include "simulation/run_surfaces.hpp"
 
-#include "core/input_error.hpp"
 #include "measure/surface.hpp"
 #include "measure/whole_cells.hpp"
-#include "parallel/for_each.hpp"
+#include "parallel/for_each_task.hpp"
 #include "simulation/field_work.hpp"
 
 #include <algorithm>
-#include <exception>
 
 namespace vesica {
 
@@ -111,20 +109,10 @@ std::filesystem::path RunSurfaces::write(const Engine& engine) {
     for (int first = 0; first < vesicles_; first += vesicles_at_once) {
         const int count = std::min(vesicles_at_once, vesicles_ - first);
         const std::vector<VesicleSnapshot> layers = engine.vesicles(first, count);
-        std::vector<std::exception_ptr> failures(layers.size());
-        for_each_index(static_cast<std::int64_t>(layers.size()), std::min(threads_, count),
-                       [&](std::int64_t k) {
-                           const auto at = static_cast<std::size_t>(k);
-                           const auto label = static_cast<std::size_t>(first) + at;
-                           try {
-                               surfaces[label] = surface_of(layers[at], static_cast<int>(label), scales_);
-                           } catch (...) {
-                               failures[at] = std::current_exception();
-                           }
-                       });
-        for (const std::exception_ptr& failure : failures)
-            if (failure)
-                std::rethrow_exception(failure);
+        for_each_task(count, threads_, [&](std::int64_t k) {
+            const auto label = static_cast<std::size_t>(first + k);
+            surfaces[label] = surface_of(layers[static_cast<std::size_t>(k)], static_cast<int>(label), scales_);
+        });
     }
     return series_.write(engine.steps_done(), std::move(surfaces));
 }

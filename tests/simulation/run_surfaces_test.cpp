@@ -34,7 +34,7 @@ Parameters tense_sphere(double radius) {
     parameters.vesicles[0].shape = SphereShape{};
     parameters.types[0].sigma = 0.002;
     parameters.types[0].bending.modulus = 0.3;
-    parameters.types[0].bending.spontaneous_curvature = -0.1;
+    parameters.types[0].bending.form = HelfrichBending{-0.1};
     parameters.types[0].area.constraint = PenaltyConstraint{0.5};
     parameters.types[0].area.deflation = 1.1; // the area is too small: the constraint pushes outwards
     parameters.types[0].area.ramp = 0;
