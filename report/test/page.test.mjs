@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { planSections } from "../src/case.js";
 import { colourRange, ramp } from "../src/colours.js";
-import { normalsOf } from "../src/frame.js";
 import { Metrics } from "../src/metrics.js";
+import { normalsOf } from "../src/normals.js";
 import { duration, prefixFor, short } from "../src/numbers.js";
 import { nearestFrame } from "../src/timeline.js";
 

@@ -11,7 +11,10 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <ctime>
+#include <mutex>
 #include <thread>
 
 namespace vesica {
@@ -41,8 +44,66 @@ private:
 
 /// Threads that this one begins inherit it.
 void let_others_go_first() {
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), 19);
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), 10);
 }
+
+/// What answers may cost: a second of processor time, to open a page without delay, and 1.5 % of the time
+/// since. Who asks for more waits.
+class Budget {
+public:
+    /// Waits until there is something left, or the run is over.
+    void wait() {
+        std::unique_lock lock(guard_);
+        while (!over_ && spent_ > first + share * seconds_since_begin())
+            changed_.wait_for(lock, std::chrono::milliseconds(50));
+    }
+    void spend(double seconds) {
+        const std::lock_guard lock(guard_);
+        spent_ += seconds;
+    }
+    /// Nobody waits any more.
+    void end() {
+        const std::lock_guard lock(guard_);
+        over_ = true;
+        changed_.notify_all();
+    }
+
+private:
+    static constexpr double first = 1.0;
+    static constexpr double share = 0.015;
+
+    double seconds_since_begin() const {
+        return std::chrono::duration<double>(Clock::now() - begin_).count();
+    }
+
+    std::mutex guard_;
+    std::condition_variable changed_;
+    Clock::time_point begin_ = Clock::now();
+    double spent_ = 0.0;
+    bool over_ = false;
+};
+
+/// Charges what its thread does while it lives.
+class Charge {
+public:
+    explicit Charge(Budget& budget) : budget_(budget) {
+        budget_.wait();
+        begin_ = now();
+    }
+    ~Charge() { budget_.spend(now() - begin_); }
+    Charge(const Charge&) = delete;
+    Charge& operator=(const Charge&) = delete;
+
+private:
+    static double now() {
+        timespec time{};
+        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+
+    Budget& budget_;
+    double begin_ = 0.0;
+};
 
 /// The name of the machine in a Host header, without the port.
 std::string host_of(const std::string& header) {
@@ -63,6 +124,7 @@ struct ReportServer::Listening {
     int port = 0;
     httplib::Server server;
     std::thread thread;
+    Budget budget;
     std::atomic<Clock::rep> asked{0};     ///< when a page last asked for the manifest; 0: never
     std::atomic<bool> at_end{false};      ///< the run is over
     std::atomic<bool> end_fetched{false}; ///< and a page knows
@@ -87,6 +149,7 @@ struct ReportServer::Listening {
             return httplib::Server::HandlerResponse::Handled;
         });
         server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
+            const Charge charge(budget);
             response.set_content(report->page(), "text/html; charset=utf-8");
         });
         server.Get("/manifest", [this](const httplib::Request& request, httplib::Response& response) {
@@ -94,6 +157,7 @@ struct ReportServer::Listening {
         });
         server.Get(R"(/frame/(\d{1,18}))",
                    [this](const httplib::Request& request, httplib::Response& response) {
+                       const Charge charge(budget);
                        const std::string digits = request.matches[1];
                        std::int64_t step = 0;
                        std::from_chars(digits.data(), digits.data() + digits.size(), step);
@@ -106,6 +170,7 @@ struct ReportServer::Listening {
 
     void give_manifest(const httplib::Request& request, httplib::Response& response) {
         asked = Clock::now().time_since_epoch().count();
+        const Charge charge(budget);
         const bool last = at_end;
         const std::string tag = report->tag();
         response.set_header("ETag", tag);
@@ -155,6 +220,7 @@ ReportServer::~ReportServer() {
     const auto begin = Clock::now();
     const auto asked = Clock::time_point(Clock::duration(listening_->asked.load()));
     listening_->at_end = true;
+    listening_->budget.end();
     if (listening_->asked != 0 && begin - asked < freshness)
         while (!listening_->end_fetched && Clock::now() - begin < patience)
             std::this_thread::sleep_for(std::chrono::milliseconds(20));

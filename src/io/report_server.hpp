@@ -7,8 +7,9 @@
 
 namespace vesica {
 
-/// Serves the report of a run to browsers while the run goes on, from threads of its own that only run when
-/// no other has work (nice 19). Reading is all it offers: GET of /, /manifest and /frame/STEP.
+/// Serves the report of a run to browsers while the run goes on, from threads of its own that yield to others
+/// (nice 10) and spend 1.5 % of the time at most; what costs more waits. Reading is all it offers: GET of /,
+/// /manifest and /frame/STEP.
 class ReportServer {
 public:
     /// Listens from now on; port 0 takes a free one. Throws RunError when the address or port cannot be had.
