@@ -111,7 +111,9 @@ class Run:
         annotated: a matplotlib figure with scale and colour bar; otherwise the picture alone, (height, width, 3) uint8."""
         from vesica.plotting import pictures
 
-        return pictures.render(self.surface(step, vesicle), self._directory.title, colour_by, annotated)
+        surface = self.surface(step, vesicle)
+        step = max(self.steps) if step is None else step
+        return pictures.render(surface, f"{self._directory.title}: step {step}", colour_by, annotated)
 
     def report(self) -> str:
         """``vesica report``: makes one HTML file of this run; returns what the program says. RunError if it cannot."""

@@ -52,10 +52,11 @@ class Pictures:
         return conservation_picture.draw(self.metrics, self.title)
 
     def surface(self, step=None):
-        return surface_picture.draw(self._surface(self._surface_file(step)[0]), self.title)
+        path, step = self._surface_file(step)
+        return surface_picture.draw(self._surface(path), f"{self.title}: the surface at step {step}")
 
     def columns(self, names):
-        return column_picture.draw(self.metrics, names, self.title, self.bending_time)
+        return column_picture.draw(self.metrics, names, self.title)
 
     def _surface_file(self, step):
         if step is None:

@@ -71,13 +71,15 @@ def column(rows, width, height, ratios=None, sharex=True):
 
 
 def save(figure, path, small=False):
-    """Writes the picture whole or not at all. `small`: in 128 colours."""
+    """Writes the picture whole or not at all. `small`: in 256 colours."""
     path = Path(path)
     temporary = path.with_name(f".{path.name}.part")
     try:
         figure.savefig(temporary, format="png", dpi=160)
         if small:
-            Image.open(temporary).convert("RGB").quantize(128).save(temporary, format="png", optimize=True)
+            whole = Image.open(temporary).convert("RGB")
+            palette = whole.quantize(256)
+            whole.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG).save(temporary, format="png", optimize=True)
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)

@@ -40,17 +40,19 @@ def draw(surface, title, colour_by="mean_curvature", with_vtk=True):
     else:
         _draw_with_matplotlib(axes, surface, colours, camera)
     axes.set_xlim(extent[:2])
-    axes.set_ylim(extent[2:])
+    foot = 0.16 * min(camera.half_width, camera.half_height)  # room for the scale below the surface
+    axes.set_ylim(extent[2] - foot, extent[3])
     axes.set_aspect("equal")
     axes.axis("off")
     many = "vesicle" in surface.fields and len(numpy.unique(surface.fields["vesicle"])) > 1
-    _draw_scale(axes, camera, 10.0 if many else (3.0 * abs(surface.volume()) / (4.0 * math.pi)) ** (1.0 / 3.0), many)
+    radius = (3.0 * abs(surface.volume()) / (4.0 * math.pi)) ** (1.0 / 3.0)
+    _draw_scale(axes, camera, foot, 10.0 if many else radius, "10 cells" if many else f"R0 = {radius:.1f} cells")
     if norm:
         _draw_bar(figure, norm, colour_map, LABELS.get(colour_by, colour_by))
-    figure.text(0.02, 0.97, f"{title}: the surface", fontweight="bold", fontsize=11, va="top")
+    figure.text(0.02, 0.97, title, fontweight="bold", fontsize=11, va="top")
     how = "by VTK" if pixels is not None else "by matplotlib, since VTK finds no display to render with"
     colouring = colour_by.replace("_", " ") if colour_by else "one colour"
-    return figure, f"the final surface coloured by {colouring}, drawn {how}"
+    return figure, f"the surface coloured by {colouring}, drawn {how}"
 
 
 def paint(surface, colour_by):
@@ -122,10 +124,9 @@ def _draw_with_matplotlib(axes, surface, colours, camera):
     axes.add_collection(mesh)
 
 
-def _draw_scale(axes, camera, length, many):
+def _draw_scale(axes, camera, foot, length, text):
     """A bar as long as R0 = (3 V/(4 pi))^(1/3), or as ten cells beside several vesicles."""
-    right, low = 0.98 * camera.half_width, -0.99 * camera.half_height
+    right, low = 0.98 * camera.half_width, -camera.half_height - 0.6 * foot
     axes.plot([right - length, right], [low, low], color=style.INK, linewidth=2.0, solid_capstyle="butt", clip_on=False)
-    text = f"{length:.0f} cells" if many else f"R0 = {length:.1f} cells"
-    axes.annotate(text, (right - 0.5 * length, low), xytext=(0, 4), textcoords="offset points", ha="center", va="bottom",
+    axes.annotate(text, (right - length, low), xytext=(-6, 0), textcoords="offset points", ha="right", va="center",
                   fontsize=9)
