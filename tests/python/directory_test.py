@@ -35,13 +35,15 @@ class Directories(Scratch):
         self.assertEqual(self.relaxing.case["vesicle[0].radius"], 7)
         self.assertEqual(self.relaxing.summary["last_step"], 24)
         self.assertIsNone(self.relaxing.scales)
-        self.assertAlmostEqual(self.sheared.scales.cell, 0.5e-6)
+        self.assertAlmostEqual(self.sheared.scales.cell / 0.5e-6, 1.0)
         self.assertEqual(self.sheared.case.scales, self.sheared.scales)
 
     def test_si_and_lattice_units_are_told_apart(self):
         in_si = self.sheared.scales.in_si(self.sheared.metrics)
-        self.assertAlmostEqual(in_si.loc[(12, 0)].time, 12e-6)
-        self.assertAlmostEqual(in_si.loc[(12, 0)].area / self.sheared.metrics.loc[(12, 0)].area, 0.25e-12)
+        self.assertAlmostEqual(in_si.loc[(12, 0)].time / 12e-6, 1.0)
+        self.assertAlmostEqual(in_si.loc[(12, 0)].area / self.sheared.metrics.loc[(12, 0)].area / 0.25e-12, 1.0)
+        self.assertAlmostEqual(in_si.loc[(12, 0)].tension / self.sheared.metrics.loc[(12, 0)].tension
+                               / (1000.0 * 0.5e-6**3 / 1e-6**2), 1.0)  # kg/s^2
         self.assertEqual(in_si.loc[(12, 0)].reduced_volume, self.sheared.metrics.loc[(12, 0)].reduced_volume)
         surface = self.sheared.surface(vesicle=0)
         self.assertAlmostEqual(surface.area(), self.sheared.metrics.loc[(12, 0)].area, delta=0.1 * surface.area())

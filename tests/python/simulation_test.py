@@ -85,6 +85,8 @@ class Simulations(Scratch):
         self.assertEqual([sample.step for sample in bar], [2, 4, 5])
         self.assertEqual((bar.total, len(steps)), (3, 3))
         self.assertEqual([sample.step for sample in simulation.run(steps=1, every=100)], [6])
+        off_beat = simulation.run(steps=3, every=4)  # counted from step 0, as the program's are
+        self.assertEqual((len(off_beat), [sample.step for sample in off_beat]), (2, [8, 9]))
         self.assertEqual(len(simulation.run(steps=0)), 0)
         self.assertEqual([sample.step for sample in simulation.run()], [12, 18, 24])  # as the case says
         self.assertEqual(list(simulation.run()), [])
@@ -116,7 +118,7 @@ class Simulations(Scratch):
 
     def test_other_threads_run_python_meanwhile_and_may_not_disturb(self):
         simulation = vesica.Simulation(self.case, threads=1)
-        stepping = threading.Thread(target=simulation.advance, args=(60,))
+        stepping = threading.Thread(target=simulation.advance, args=(150,))
         stepping.start()
         counted, refused = 0, 0
         while stepping.is_alive():
@@ -130,7 +132,7 @@ class Simulations(Scratch):
         stepping.join()
         self.assertGreater(counted, 10)
         self.assertGreater(refused, 0)
-        self.assertGreaterEqual(simulation.step, 60)
+        self.assertGreaterEqual(simulation.step, 150)
 
     def test_an_unstable_run_fails_with_the_programs_words(self):
         case = self.case.changed({"fluid.kinematic_viscosity": 0.002, "vesicle_type.rbc.bending.modulus": 20.0})

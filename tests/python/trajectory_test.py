@@ -49,6 +49,10 @@ class Trajectory(Scratch):
         for step in (12, 24):
             self.assertEqual((self.folder / f"{step}.h5").read_bytes(),
                              (run / "checkpoints" / f"step_{step:09d}.h5").read_bytes())
+        unwatched = vesica.Simulation(case, threads=2)
+        unwatched.advance(12)  # it has measured all the same, as the checkpoint remembers
+        unwatched.save(self.folder / "unwatched.h5")
+        self.assertEqual((self.folder / "unwatched.h5").read_bytes(), (self.folder / "12.h5").read_bytes())
         with h5py.File(run / "fields.h5") as stored:
             for name in ("phase", "velocity", "mean_curvature"):
                 field = simulation.field(name)

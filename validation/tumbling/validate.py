@@ -9,10 +9,10 @@ import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 
-from validation import keller_skalak
 from validation.in_flow import greatest_rate, middle_of, steps_of_strain, viscosity_for
 from validation.item import Item
 from validation.simulations import Simulation
+from vesica.plotting import keller_skalak
 
 CASE = Path(__file__).with_name("vesicle.toml")
 V, RADIUS = 0.9, 10.0
