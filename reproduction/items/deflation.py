@@ -53,7 +53,7 @@ def judge(item, finished):
     files = surface_files(run)
     chosen = [files[k] for k in _moments(metrics, [s for s, _ in files], first_area)]
     item.picture("deflation.png", _pictures(chosen, time), "From the sphere to the discocyte: times in steps and bending times "
-                 "tau_b = eta R^3/kappa. Seen from 25 degrees above the equator; the last one cut open to the eye as the paper's, by transparency.")  # fmt: skip
+                 "tau_b = eta R^3/kappa. Seen from 25 degrees above the equator; the last one semi-transparent, as the paper's.")  # fmt: skip
 
 
 def _moments(metrics, steps, first_area):
@@ -77,7 +77,7 @@ def _pictures(chosen, time):
 
     columns = min(3, len(chosen))
     rows = math.ceil(len(chosen) / columns)
-    figure, panels = pyplot.subplots(rows, columns, figsize=(8.0, 2.7 * rows), constrained_layout=True, squeeze=False)
+    figure, panels = pyplot.subplots(rows, columns, figsize=(7.2, 2.4 * rows), constrained_layout=True, squeeze=False)
     frame = frame_from((math.cos(math.radians(25)), 0.0, math.sin(math.radians(25))))
     for axes in panels.flat:
         axes.axis("off")

@@ -2,8 +2,9 @@
 
 import numpy
 
+from runs import REDUCED_VOLUME
 from sheared import capillary, equatorial_diameters, mean_of_end, sheared
-from shared import read_surface, surface_files
+from shared import HelfrichShapes, read_surface, surface_files
 
 TITLE = "Deformation index over shear rate (Fig 7)"
 PAPER = ("DI from 15 to 200 1/s beside an experiment and three codes, with a band from the two diameters at rest; stable beyond eight times the highest "
@@ -73,11 +74,20 @@ def judge(item, finished):
     columns = ("shear rate, 1/s", "Ca_kappa", "rate", "Re", "DI", "DI with the greater D0", "DI with the lesser D0", "A/A_target", "inclination", "greatest speed")
     item.table("Deformation index in steady shear", columns, rows)
     item.csv("deformation.csv", columns, rows)
+    limit = _longest()
+    item.results.report("DI of the prolate of this v at rest: what its area can be drawn out to", "C0 = 0, exact", limit)
     item.explain("The band of the paper is the unequal diameters of its discocyte at rest; ours are equal to some hundredths of a cell, and the band is as narrow. "
-                 "A fluid membrane that keeps only its area has no shear elasticity: from Ca_kappa of order one on, its DI is set by the area it has to spare, "
-                 "so it saturates where a red cell's goes on. A fit of kappa_B and sigma, as the paper's, moves the curve along the axis of rates.")  # fmt: skip
+                 "A fluid membrane that keeps only its area has no shear elasticity: what resists is bending, and where Ca_kappa is well above one the area it has to "
+                 f"spare, which allows a DI of about {limit:.2f}. A fit of kappa_B and sigma, as the paper's, moves the curve along the axis of rates.")  # fmt: skip
     if series:
         item.picture("deformation.png", _figure(series), "DI over shear rate; the paper's range of rates is shaded. The band is between the two diameters at rest.")
+
+
+def _longest():
+    """A prolate's length over the discocyte's diameter, of the same volume and area."""
+    shapes = HelfrichShapes()
+    prolate, oblate = (shapes.profile(branch, REDUCED_VOLUME) for branch in ("prolate", "oblate"))
+    return _index(float(numpy.ptp(prolate.z) / (2 * oblate.r.max())))
 
 
 def _root(value):
