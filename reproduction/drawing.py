@@ -2,7 +2,7 @@
 
 import numpy
 from matplotlib import colormaps, colors, tri
-from matplotlib.collections import TriMesh
+from matplotlib.collections import PolyCollection, TriMesh
 
 LIGHT = numpy.array([-0.35, 0.5, 0.8])  # right, up, towards the eye
 PAPER_RED = "#C8442F"
@@ -38,7 +38,11 @@ def paint(axes, surface, frame, *, values=None, norm=None, cmap="viridis", colou
         lit = base.copy()
         lit[:, :3] = numpy.clip(base[:, :3] * shade[:, None], 0.0, 1.0)
         lit[:, 3] = alpha
-        mesh = TriMesh(tri.Triangulation(projected[:, 0], projected[:, 1], triangles), rasterized=True, antialiased=alpha == 1.0)
+        if alpha < 1.0:  # smooth shading would show the seams of the triangles
+            corners = projected[triangles][:, :, :2]
+            axes.add_collection(PolyCollection(corners, facecolors=lit[triangles].mean(axis=1), linewidths=0, antialiased=False, rasterized=True))
+            continue
+        mesh = TriMesh(tri.Triangulation(projected[:, 0], projected[:, 1], triangles), rasterized=True)
         mesh.set_facecolor(lit)
         axes.add_collection(mesh)
     half = 1.05 * numpy.abs(projected[:, :2]).max()

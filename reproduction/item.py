@@ -39,9 +39,10 @@ class Item:
         finished = run_all(planned, self.runs_folder, self.program, processes, max(1, self.threads // processes))
         for simulation in planned:
             run = finished[simulation.name]
-            self.runs.append({"name": simulation.name, "seconds": round(run.seconds), "failure": run.failure})
-            if run.failure is not None:
-                self.failed.append(f"{simulation.name}: {run.failure}")
+            why = None if run.failure is None else reason(run)
+            self.runs.append({"name": simulation.name, "seconds": round(run.seconds), "failure": why})
+            if why is not None:
+                self.failed.append(f"{simulation.name}: {why}")
         return finished
 
     def against(self, source):
@@ -91,6 +92,11 @@ class Item:
 
     def judged(self):
         return [row for row in self.results.rows if row.verdict != "reported"]
+
+
+def reason(run):
+    """Why a run ended early, without what names directories."""
+    return run.failure.removeprefix("vesica: ").partition("; likely cause")[0]
 
 
 class _Against:

@@ -1,4 +1,4 @@
-"""The paper's classes of shapes, (A) oblate, (B) prolate, (C) without an axis, from a surface alone."""
+"""The paper's classes of shapes, (A) oblate, (B) prolate, (C) without an axis, from a surface alone; S is a sphere still."""
 
 from dataclasses import dataclass
 
@@ -7,6 +7,9 @@ import numpy
 from shared import fold
 
 ROUND = 0.05  # relative spread of the outline about the axis up to which a shape counts as a body of revolution
+
+
+SPHERE = 0.05  # length along the axis over width, off 1, up to which a shape has become nothing at all
 
 
 @dataclass(frozen=True)
@@ -18,7 +21,7 @@ class ShapeClass:
 
     def words(self):
         holes = {0: "", 1: ", a hole"}.get(self.genus, f", {self.genus} holes")
-        return self.letter + holes + (f", {self.pieces} pieces" if self.pieces > 1 else "")
+        return ("sphere" if self.letter == "S" else self.letter) + holes + (f", {self.pieces} pieces" if self.pieces > 1 else "")
 
 
 def classify(surface):
@@ -30,7 +33,8 @@ def classify(surface):
     bins = ((angle + numpy.pi) / (2 * numpy.pi) * 36).astype(int) % 36
     outline = numpy.array([folded.r[bins == k].max() for k in range(36) if (bins == k).any()])
     roughness = float(outline.std() / outline.mean())
-    letter = "C" if roughness > ROUND else "A" if numpy.ptp(along) < 2 * folded.r.max() else "B"
+    widths = numpy.ptp(along) / (2 * folded.r.max())
+    letter = "C" if roughness > ROUND else "S" if abs(widths - 1.0) < SPHERE else "A" if widths < 1.0 else "B"
     pieces, euler = _topology(surface)
     return ShapeClass(letter, roughness, pieces - euler // 2, pieces)
 

@@ -5,6 +5,7 @@ import math
 import numpy
 
 from drawing import frame_from, paint
+from item import reason
 from runs import RADIUS, from_sphere
 from shape_class import classify
 from shared import OWN_CASES, HelfrichShapes, Simulation, bending_time, read_surface, surface_files
@@ -71,7 +72,7 @@ def judge(item, finished):
         rows.append(row)
         if run.failure is None:
             shots[form, kappa_b, sigma] = (read_surface(surface_files(run)[-1][1]), row[3], published)
-            agree.setdefault(form, []).append(row[3][0] == published)
+            agree.setdefault(form, []).append(row[3].startswith(published))
     paper = item.against("paper")
     for form, same in agree.items():
         total = 2 if item.quick else 12
@@ -89,7 +90,7 @@ def judge(item, finished):
 
 def _row(run, form, kappa_b, sigma, published):
     if run.failure is not None:
-        return (form, kappa_b, sigma, "ended early: " + run.failure, published)
+        return (form, kappa_b, sigma, "ended early: " + reason(run), published)
     shape = classify(run.surface())
     radius = (3 * run.last("volume") / (4 * math.pi)) ** (1 / 3)
     time = bending_time(radius, kappa_b / 4, NU)

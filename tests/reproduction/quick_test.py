@@ -71,7 +71,7 @@ class Plain(Reproduce):
     def test_a_run_that_fails_is_status_one(self):
         status, out, errors = self.with_program("#!/bin/sh\necho 'vesica: it broke' >&2\nexit 1\n", "fig1", "--quick")
         self.assertEqual(status, 1, out)
-        self.assertIn("a run failed: discocyte-quick: vesica: it broke", errors)
+        self.assertIn("a run failed: discocyte-quick: it broke", errors)
 
     def test_the_list_names_every_item(self):
         status, out, errors = self.vesica("--list")
