@@ -114,6 +114,7 @@ def _figure(series):
     axes.set_xscale("log")
     axes.set_xlabel("shear rate (1/s)")
     axes.set_ylabel("deformation index (%)")
-    axes.set_ylim(bottom=0)
+    axes.set_xlim(10, 2000)
+    axes.set_ylim(0, 60)
     axes.legend(loc="lower right")
     return figure
