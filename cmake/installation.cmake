@@ -27,7 +27,7 @@ foreach(folder cases data)
     endif()
 endforeach()
 # What `vesica reproduce` executes, beside the cases and data that it reads.
-foreach(folder reproduction tools/plotting tools/validation)
+foreach(folder reproduction tools/validation python/vesica)
     get_filename_component(parent "${folder}" DIRECTORY)
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION "${CMAKE_INSTALL_DATADIR}/vesica/${parent}"
         PATTERN "results" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "write_page.py" EXCLUDE)

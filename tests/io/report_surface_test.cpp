@@ -182,8 +182,8 @@ TEST_CASE("a triangle with its points and colours costs ten bytes of base64") {
     for (auto& point : surface.points)
         point = point + Vec3<double>{noise(random), noise(random), noise(random)};
     for (auto& quantity : surface.quantities)
-        for (double& value : quantity.values)
-            value += noise(random);
+        for (float& value : quantity.values)
+            value += static_cast<float>(noise(random));
     REQUIRE(encode_base64(pack_surfaces({0, 0.0, {surface}}).bytes).size() < 10 * surface.triangles.size());
 }
 

@@ -50,9 +50,9 @@ inline vesica::SurfaceArrays spheroid_mesh(double radius, double stretch, int le
         surface.points.push_back(
             Corner{20 + radius * point.x, 30 + radius * point.y, 40 + radius * stretch * point.z});
         for (std::size_t q = 0; q < 4; ++q)
-            surface.quantities[q].values.push_back(static_cast<double>(q) + point.z);
+            surface.quantities[q].values.push_back(static_cast<float>(static_cast<double>(q) + point.z));
         for (int axis = 0; axis < 3; ++axis)
-            surface.quantities[4].values.push_back(point[axis]);
+            surface.quantities[4].values.push_back(static_cast<float>(point[axis]));
     }
     return surface;
 }
