@@ -138,7 +138,7 @@ class Fields(Mapping[str, numpy.ndarray]):
         self._path, self._scales, self._read = path, scales, {}
         with h5py.File(path) as file:
             self.step = int(file.attrs["step"])
-            self._names = [name for name in file]
+            self._names = [name for name, entry in file.items() if isinstance(entry, h5py.Dataset)]
             shape = file[self._names[0]].shape[:3] if self._names else (0, 0, 0)
             cell = scales.cell if scales else 1.0
             origin = numpy.asarray(file.attrs["origin"], dtype=float)

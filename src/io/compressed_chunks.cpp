@@ -77,12 +77,11 @@ CompressedChunks::CompressedChunks(const Vec3<int>& box, std::size_t width, std:
             const std::int64_t chunk = share.begin + k;
             std::vector<std::byte> whole(layout_.bytes());
             for (std::size_t from = 0; from < parts.size(); ++from)
-                for_each_row({layout_.begin(chunk), layout_.edges()},
-                             common(layout_.elements(chunk), parts[from]), element,
-                             [&](std::size_t to, std::size_t at, std::size_t length) {
-                                 std::memcpy(whole.data() + to, arrived[from].data() + places[own][from] + at,
-                                             length);
-                             });
+                for_each_row(
+                    {layout_.begin(chunk), layout_.edges()}, common(layout_.elements(chunk), parts[from]),
+                    element, [&](std::size_t to, std::size_t at, std::size_t length) {
+                        std::memcpy(whole.data() + to, arrived[from].data() + places[own][from] + at, length);
+                    });
             own_[own] = shuffled_and_deflated(whole, number, level);
         });
     });

@@ -16,8 +16,8 @@ double length(const Vec3<double>& d) {
     return std::sqrt(dot(d, d));
 }
 
-/// From one place to the nearest image of another. Images above a sliding face have moved on, so that the axis
-/// they slide across comes first.
+/// From one place to the nearest image of another. Images above a sliding face have moved on, so that the
+/// axis they slide across comes first.
 Vec3<double> to_nearest_image(const Vec3<double>& from, const Vec3<double>& to, const PairBox& box) {
     Vec3<double> d = to - from;
     const auto take_boxes = [&](int axis) {

@@ -22,11 +22,11 @@ struct PairBox {
 struct PairBin {
     double distance = 0.0; ///< of the bin's middle, cells
     std::int64_t pairs = 0;
-    /// g: pairs over those of as many points that lie anywhere in the fluid with equal probability; solids and
-    /// walls take from the shell round a centre what they take. NaN where no fluid is so far away.
+    /// g: pairs over those of as many points that lie anywhere in the fluid with equal probability; solids
+    /// and walls take from the shell round a centre what they take. NaN where no fluid is so far away.
     double distribution = 0.0;
-    /// Mean over the pairs of 2 e_along e_across, e the direction from one to the other: -1 for pairs along the
-    /// compression of a shear flow, 1 along its extension. NaN without pairs or an axis across.
+    /// Mean over the pairs of 2 e_along e_across, e the direction from one to the other: -1 for pairs along
+    /// the compression of a shear flow, 1 along its extension. NaN without pairs or an axis across.
     double shear_moment = 0.0;
 };
 

@@ -12,7 +12,8 @@ namespace vesica {
 template <class Body>
 void for_each_task(std::int64_t count, int threads, const Body& body) {
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
-    const int hands = static_cast<int>(std::clamp<std::int64_t>(threads, 1, std::max<std::int64_t>(count, 1)));
+    const int hands =
+        static_cast<int>(std::clamp<std::int64_t>(threads, 1, std::max<std::int64_t>(count, 1)));
     for_each_index(count, hands, [&](std::int64_t k) {
         try {
             body(k);

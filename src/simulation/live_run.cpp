@@ -4,8 +4,8 @@
 #include "io/case_file.hpp"
 #include "io/checkpoint_store.hpp"
 #include "simulation/run_account.hpp"
-#include "simulation/start_state.hpp"
 #include "simulation/run_surfaces.hpp"
+#include "simulation/start_state.hpp"
 
 #include <fmt/format.h>
 

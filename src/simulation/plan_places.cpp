@@ -308,13 +308,6 @@ void judge_schedule(const Parameters& parameters, const RunParameters& run, cons
         remarks.push_back({Severity::note, "run.wall_time",
                            "run.wall_time: the checkpoint written when it is used up is the only one; "
                            "output.checkpoint would add others"});
-    if (output.fields && output.fields->average && output.checkpoint_every > 0 &&
-        output.checkpoint_every % output.fields->every != 0)
-        remarks.push_back(
-            {Severity::note, "output.fields.average",
-             "output.fields.average: after a resume from a checkpoint between two outputs, the first "
-             "average begins at the checkpoint; make output.checkpoint.every a multiple of "
-             "output.fields.every to avoid it"});
 }
 
 } // namespace vesica

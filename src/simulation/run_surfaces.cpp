@@ -111,7 +111,8 @@ std::filesystem::path RunSurfaces::write(const Engine& engine) {
         const std::vector<VesicleSnapshot> layers = engine.vesicles(first, count);
         for_each_task(count, threads_, [&](std::int64_t k) {
             const auto label = static_cast<std::size_t>(first + k);
-            surfaces[label] = surface_of(layers[static_cast<std::size_t>(k)], static_cast<int>(label), scales_);
+            surfaces[label] =
+                surface_of(layers[static_cast<std::size_t>(k)], static_cast<int>(label), scales_);
         });
     }
     return series_.write(engine.steps_done(), std::move(surfaces));

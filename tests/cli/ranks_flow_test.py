@@ -21,7 +21,7 @@ class Flows(Ranks):
             for table in ("tracers.csv", "profiles.csv", "suspension.csv", "pairs.csv"):
                 self.assertIn(table, expected)
             rows = (self.directory / name / "tracers.csv").read_text().splitlines()
-            self.assertEqual([rows[-1].split(",")[k] for k in (0, 2, 4)], [str(STEPS), "20", str(STEPS)])
+            self.assertEqual([rows[-1].split(",")[k] for k in (0, 2, 4)], [str(STEPS), "25", str(STEPS)])  # 4 releases of 4, 2 x 5
             for counts in ((2, 4), (3, 8)):
                 with self.subTest(flow=name, ranks=counts):
                     target = "-".join([name, *map(str, counts)])

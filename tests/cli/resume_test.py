@@ -44,4 +44,4 @@ class Averages(Program):
         checkpoint = self.directory / "target/checkpoints/step_000000007.h5"
         with h5py.File(checkpoint) as file:
             self.assertEqual(file["notes/average_samples"][...].tolist(), [7.0])
-            self.assertEqual(file["notes/average_sum_velocity"].shape, (3 * 32**3,))
+            self.assertEqual(file["sums/velocity"].shape, (3 * 16**3,))  # every second cell is sampled
