@@ -22,11 +22,10 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
         const auto blue_is_minor = sign_bit(t.load(here.fields.chi));
         const ColourDensities<V> arrived =
             gather_colours(g, V(1), t.load(here.fields.density), blue_is_minor,
-                           MinorityAround<Real, V::width>{blue_is_minor, around(here.fields.red, t),
-                                                          around(here.fields.blue, t)},
+                           MinorityAround<Real, V::width>{blue_is_minor, around(here.fields.chi, t)},
                            around(here.fields.w, t));
-        t.store(arrived.red, here.fields.s);
-        t.store(arrived.blue, here.fields.sharp);
+        t.store(arrived.red, here.result);
+        t.store(arrived.blue, here.fields.s);
     });
     add_kernel<Real>("colour/segregation_flux", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
         t.store(segregation_flux(t.load(here.fields.chi), t.load(here.fields.density), t.load(here.fields.n),

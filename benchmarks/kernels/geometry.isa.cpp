@@ -17,7 +17,7 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
 
     add_kernel<Real>("geometry/sharpened", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
         using V = typename Tiles::V;
-        t.store(sharpened<V>(around(here.fields.s, t), 1.0), here.fields.psi);
+        t.store(sharpened<V>(around(here.fields.s, t), 1.0), here.result);
     });
     add_kernel<Real>("geometry/normals", isa_name, size, []<class Tiles>(Here& here, const Tiles& t) {
         using V = typename Tiles::V;
@@ -28,7 +28,7 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
         const Vec3<V> n = t.load(here.fields.n);
         const Curvatures<V> c = curvatures_of(jacobian_of_normals(around(here.fields.n, t), n), n);
         const Curvatures<V> surface = map_to_mid_surface(c, t.load(here.fields.s));
-        t.store(surface.H, here.fields.psi);
+        t.store(surface.H, here.result);
         t.store(surface.K, here.fields.K0);
     });
     add_kernel<Real>("geometry/paper_curvatures", isa_name, size,
@@ -36,7 +36,7 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
                          using V = typename Tiles::V;
                          const Jacobian<V> G = jacobian<V>(around(here.fields.n, t));
                          const Curvatures<V> c = paper_curvatures_of(G, t.load(here.fields.n));
-                         t.store(c.H, here.fields.psi);
+                         t.store(c.H, here.result);
                          t.store(c.K, here.fields.K0);
                      });
     add_kernel<Real>("geometry/surface_gradient", isa_name, size,
@@ -55,7 +55,7 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
                          using V = typename Tiles::V;
                          const Jacobian<V> d = jacobian<V>(around(here.fields.g, t));
                          const V divergence = surface_divergence(d, t.load(here.fields.n));
-                         t.store(divergence / t.load(here.fields.J), here.fields.psi);
+                         t.store(divergence / t.load(here.fields.J), here.result);
                      });
     add_kernel<Real>("geometry/paper_laplace_beltrami", isa_name, size,
                      []<class Tiles>(Here& here, const Tiles& t) {
@@ -64,7 +64,7 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
                          const Jacobian<V> d = jacobian<V>(around(here.fields.g, t));
                          t.store(paper_laplace_beltrami(laplacian<V>(H), d, t.load(here.fields.g),
                                                         t.load(here.fields.n), H(Direction<0>{})),
-                                 here.fields.psi);
+                                 here.result);
                      });
 }
 

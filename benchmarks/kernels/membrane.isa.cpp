@@ -14,8 +14,8 @@ namespace {
 template <class Real, class Law>
 void add_law(const std::string& name, const char* isa_name, const Vec3<int>& size, const Law& law) {
     add_kernel<Real>(name, isa_name, size, [law]<class Tiles>(Surroundings<Real>& here, const Tiles& t) {
-        t.store(law.force(t.load(here.fields.H0), t.load(here.fields.K0), t.load(here.fields.sharp)),
-                here.fields.psi);
+        t.store(law.force(t.load(here.fields.raw_H0), t.load(here.fields.K0), t.load(here.fields.sharp)),
+                here.result);
     });
 }
 
@@ -27,18 +27,18 @@ void add_all(const char* isa_name, const Vec3<int>& size) {
     add_law<Real>("membrane/paper_bending", isa_name, size, PaperBendingLaw{0.1, 1.5});
     add_kernel<Real>("membrane/tension", isa_name, size,
                      [law = TensionLaw{1e-3}]<class Tiles>(Here& here, const Tiles& t) {
-                         t.store(law.force(t.load(here.fields.H0)), here.fields.psi);
+                         t.store(law.force(t.load(here.fields.raw_H0)), here.result);
                      });
     const LayerForce spread(1e-2);
     add_kernel<Real>("membrane/force_profile", isa_name, size,
                      [spread]<class Tiles>(Here& here, const Tiles& t) {
-                         t.store(spread.profile(phase_of(t.load(here.fields.chi))), here.fields.psi);
+                         t.store(spread.profile(phase_of(t.load(here.fields.chi))), here.result);
                      });
     add_kernel<Real>("membrane/layer_force", isa_name, size,
                      [spread]<class Tiles>(Here& here, const Tiles& t) {
                          using V = typename Tiles::V;
                          const Vec3<V> slope = gradient<V>(around(here.fields.sharp, t));
-                         t.store(spread(slope, t.load(here.fields.H0)), here.fields.w);
+                         t.store(spread(slope, t.load(here.fields.raw_H0)), here.fields.w);
                      });
 }
 

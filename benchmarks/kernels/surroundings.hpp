@@ -6,6 +6,7 @@
 #include "simulation/layer_fields.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace vesica {
@@ -24,6 +25,8 @@ public:
                     all.push_back({grid_.index(x, y, z) / tile_width, 0xff});
         band_.rebuild(all);
         fields.resize(band_.compact_size());
+        results_ = Field<Real>(1, band_.compact_size());
+        result = {results_.view().component(0), static_cast<std::size_t>(band_.compact_size())};
         populations = Field<Real>(direction_count, band_.compact_size());
         fill();
     }
@@ -33,6 +36,7 @@ public:
     std::int64_t cells() const { return grid_.volume(); }
 
     LayerFields<Real> fields;
+    std::span<Real> result;  ///< for what a kernel computes and none reads
     Field<Real> populations; ///< deviations, by compact address
 
 private:
@@ -42,13 +46,10 @@ private:
                 a[k] = static_cast<Real>(lowest + width * static_cast<double>(k * 37 % 101) / 101.0);
         };
         fill(fields.chi, -0.4, 0.8);
-        fill(fields.red, 0.0, 1.0);
-        fill(fields.blue, 0.0, 1.0);
         fill(fields.density, 0.99, 0.02);
         fill(fields.s, -2.0, 4.0);
         fill(fields.sharp, -2.0, 4.0);
         fill(fields.raw_H0, 0.05, 0.1);
-        fill(fields.H0, 0.05, 0.1);
         fill(fields.K0, 0.0, 0.01);
         fill(fields.J, 0.8, 0.4);
         for (std::size_t a = 0; a < 3; ++a) {
@@ -62,6 +63,7 @@ private:
 
     Grid grid_;
     Band band_;
+    Field<Real> results_;
 };
 
 /// One at a time: benchmarks of the same size follow each other.
