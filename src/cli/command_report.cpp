@@ -35,7 +35,8 @@ std::string plan_of(const std::filesystem::path& directory) {
         std::string text = plan_text(what, make_plan(what), std::nullopt, 1);
         // The page may travel: places in the case are told without where it lay.
         const std::string folder = (directory / "").string();
-        for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at))
+        const std::string told = (directory / "resolved.toml").string();
+        for (std::size_t at = text.find(told); at != std::string::npos; at = text.find(told, at + 1))
             text.erase(at, folder.size());
         return text;
     } catch (const std::exception&) {
@@ -44,6 +45,8 @@ std::string plan_of(const std::filesystem::path& directory) {
 }
 
 int report(ReportArguments arguments) {
+    if (arguments.directory.empty())
+        throw InputError("the directory is empty; expected that of a run; try vesica report out/NAME");
     if (arguments.file && arguments.file->empty())
         throw InputError("-o is empty; expected a file; try -o report.html");
     const std::filesystem::path directory = arguments.directory;

@@ -86,7 +86,7 @@ int run(const RunArguments& arguments, Crew* crew) {
         options_of(directory_of(arguments), arguments.threads, arguments.profile, arguments.sharing, crew);
     options.overwrite = arguments.overwrite;
     options.plan.accept_soft_membranes = arguments.accept_soft_membranes;
-    const auto server = serve(arguments.watching, options.directory, what);
+    const auto server = serve(arguments.watching, options, what);
     return tell(run_case(what, options));
 }
 

@@ -50,15 +50,17 @@ struct Sharing {
 };
 void declare_sharing(CLI::App& command, Sharing& sharing);
 
+struct RunOptions;
+
 /// Whether browsers may watch a run: `--watch PORT` and `--watch-address ADDRESS`.
 struct Watching {
     std::optional<int> port;
     std::optional<std::string> address;
 };
 void declare_watching(CLI::App& command, Watching& watching);
-/// Serves the report of the run in `directory` for as long as the answer lives, and says where; null where
-/// nobody wants to watch. Throws InputError or RunError before the run has begun.
-std::unique_ptr<ReportServer> serve(const Watching& watching, const std::filesystem::path& directory,
-                                    const Case& what);
+/// Serves the report of the run in options.directory from its beginning (options.begun) for as long as the
+/// answer lives, and says where; null where nobody wants to watch. Throws InputError or RunError before the
+/// run has begun.
+std::unique_ptr<ReportServer> serve(const Watching& watching, RunOptions& options, const Case& what);
 
 } // namespace vesica

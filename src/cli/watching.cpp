@@ -3,6 +3,8 @@
 #include "io/report_file.hpp"
 #include "simulation/plan.hpp"
 #include "simulation/plan_text.hpp"
+#include "simulation/run.hpp"
+#include "simulation/run_start.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,8 +35,7 @@ void declare_watching(CLI::App& command, Watching& watching) {
         ->type_name("ADDRESS");
 }
 
-std::unique_ptr<ReportServer> serve(const Watching& watching, const std::filesystem::path& directory,
-                                    const Case& what) {
+std::unique_ptr<ReportServer> serve(const Watching& watching, RunOptions& options, const Case& what) {
     if (!watching.port) {
         if (watching.address)
             throw InputError(
@@ -53,9 +54,13 @@ std::unique_ptr<ReportServer> serve(const Watching& watching, const std::filesys
             return {};
         }
     };
+    const auto report =
+        std::make_shared<LiveReport>(options.directory, read_report_page(), settled(what), plan);
     auto server =
-        std::make_unique<ReportServer>(std::make_shared<LiveReport>(directory, read_report_page(), plan),
-                                       watching.address.value_or("127.0.0.1"), *watching.port);
+        std::make_unique<ReportServer>(report, watching.address.value_or("127.0.0.1"), *watching.port);
+    options.begun = [report] {
+        report->begin();
+    };
     std::cout << "watch it at " << server->url() << std::endl;
     return server;
 }

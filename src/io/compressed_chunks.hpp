@@ -24,6 +24,7 @@ public:
     const ChunkLayout& layout() const { return layout_; }
     /// Of this rank's share.
     std::size_t bytes() const;
+    std::size_t own_count() const { return own_.size(); }
     /// To the rank that leads: take(chunk, its bytes), in order. What `take` throws is thrown once all have
     /// come, so that the others can let go of theirs. By all ranks together.
     void gather(const Ranks& ranks, const std::function<void(std::int64_t, std::string_view)>& take) const;

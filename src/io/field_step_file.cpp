@@ -137,8 +137,7 @@ void write_compressed(const Path& path, const FieldStep& geometry, const FieldWr
                                 std::as_bytes(std::span(field.values)), writing.compression, writing.threads,
                                 ranks);
         constexpr std::uint64_t page = 4096; // which chunks begin at
-        bytes +=
-            compressed.back().bytes() + page * static_cast<std::uint64_t>(compressed.back().layout().count());
+        bytes += compressed.back().bytes() + page * compressed.back().own_count();
     }
     ranks.sum({&bytes, 1});
     std::optional<StepFile> file;

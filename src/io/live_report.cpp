@@ -36,8 +36,11 @@ std::vector<std::int64_t> steps_shown(const Path& directory) {
 
 } // namespace
 
-LiveReport::LiveReport(Path directory, std::string page, std::function<std::string()> plan_text)
-    : directory_(std::move(directory)), page_(std::move(page)), plan_text_(std::move(plan_text)) {}
+LiveReport::LiveReport(Path directory, std::string page, Case what, std::function<std::string()> plan_text)
+    : directory_(std::move(directory)),
+      page_(std::move(page)),
+      case_(std::move(what)),
+      plan_text_(std::move(plan_text)) {}
 
 std::string LiveReport::page() {
     const std::size_t place = page_.find(report_data_place);
@@ -48,32 +51,33 @@ std::string LiveReport::page() {
 }
 
 std::string LiveReport::manifest() {
+    const std::lock_guard lock(manifest_guard_);
     ReportRun run;
-    try {
-        run = read_report_run(directory_);
-    } catch (const InputError&) { // its directory is still to come
-        run.state = "running";
-        run.directory = directory_.filename().string();
-    }
+    run.state = "running";
+    run.directory = directory_.filename().string();
+    const bool begun = has_begun_;
+    if (begun)
+        try {
+            run = read_report_run(directory_, {&case_, most_numbers});
+        } catch (const InputError&) { // its first file is still to come
+        }
     ReportMaking making;
     making.live = true;
     if (run.resolved) {
-        const std::lock_guard lock(plan_guard_);
         if (!plan_)
             plan_ = plan_text_ ? plan_text_() : std::string{};
         making.plan_text = *plan_;
     }
-    making.metrics_every =
-        thin_metrics(run.metrics, most_numbers / std::max<std::size_t>(run.metrics.columns.size(), 1));
+    making.metrics_every = run.metrics_every;
     const double seconds = run.resolved && run.resolved->scales ? run.resolved->scales->step : 1.0;
     std::vector<ReportFrame> frames;
-    for (const std::int64_t step : steps_shown(directory_))
+    for (const std::int64_t step : begun ? steps_shown(directory_) : std::vector<std::int64_t>{})
         frames.push_back({step, static_cast<double>(step) * seconds, 0, {}});
     return report_manifest(run, frames, making);
 }
 
 std::string LiveReport::tag() const {
-    std::string text;
+    std::string text = has_begun_ ? "begun;" : "";
     for (const char* name :
          {"resolved.toml", "metrics.csv", "summary.json", "log.txt", "surfaces/surfaces.pvd"}) {
         std::error_code none;
@@ -86,6 +90,8 @@ std::string LiveReport::tag() const {
 }
 
 std::optional<std::string> LiveReport::frame(std::int64_t step) {
+    if (!has_begun_)
+        return std::nullopt;
     const std::lock_guard lock(frame_guard_);
     if (const auto found = packed_.find(step); found != packed_.end())
         return found->second;

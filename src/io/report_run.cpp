@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace vesica {
 namespace {
@@ -52,9 +53,13 @@ void read_summary(const Path& directory, ReportRun& run) {
     run.notes.emplace_back("summary.json is damaged; verdicts and timings are missing");
 }
 
-void read_resolved(const Path& directory, ReportRun& run) {
+void read_resolved(const Path& directory, const Case* known, ReportRun& run) {
     if (run.resolved_text.empty())
         return;
+    if (known != nullptr) {
+        run.resolved = *known;
+        return;
+    }
     try {
         run.resolved = read_case(directory / "resolved.toml");
     } catch (const std::exception& error) {
@@ -64,12 +69,16 @@ void read_resolved(const Path& directory, ReportRun& run) {
     }
 }
 
-void read_table(const Path& directory, ReportRun& run) {
+void read_table(const Path& directory, std::size_t most_numbers, ReportRun& run) {
     std::error_code none;
     if (!std::filesystem::exists(directory / "metrics.csv", none))
         return;
     try {
-        run.metrics = read_metrics(directory / "metrics.csv");
+        if (most_numbers == 0)
+            run.metrics = read_metrics(directory / "metrics.csv");
+        else
+            std::tie(run.metrics, run.metrics_every) =
+                read_thinned_metrics(directory / "metrics.csv", most_numbers);
     } catch (const RunError& error) {
         run.notes.push_back(fmt::format("no plots: {}", error.what()));
     }
@@ -77,7 +86,7 @@ void read_table(const Path& directory, ReportRun& run) {
 
 } // namespace
 
-ReportRun read_report_run(const Path& directory) {
+ReportRun read_report_run(const Path& directory, const ReportReading& reading) {
     std::error_code none;
     if (!std::filesystem::is_directory(directory, none))
         throw InputError(fmt::format("{}: is not a directory; expected the directory of a run; try vesica "
@@ -90,8 +99,8 @@ ReportRun read_report_run(const Path& directory) {
     run.resolved_text = text_of(directory / "resolved.toml", run.notes);
     run.log_text = log_end(text_of(directory / "log.txt", run.notes));
     read_summary(directory, run);
-    read_resolved(directory, run);
-    read_table(directory, run);
+    read_resolved(directory, reading.known, run);
+    read_table(directory, reading.most_numbers, run);
     if (run.case_text.empty() && run.resolved_text.empty() && run.summary_text.empty() &&
         run.metrics.columns.empty() && list_steps(directory / "surfaces", "surface_", ".vtp").empty())
         throw InputError(fmt::format("{}: holds no run; expected case.toml, metrics.csv, summary.json or "

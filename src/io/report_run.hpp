@@ -21,11 +21,18 @@ struct ReportRun {
     std::string summary_text; ///< JSON; empty while the run goes on
     std::optional<Case> resolved;
     MetricsTable metrics;
+    std::size_t metrics_every = 1;  ///< of the samples in metrics.csv
     std::vector<std::string> notes; ///< what could not be read or is not shown, for the reader
 };
 
+/// What need not be read, or not whole.
+struct ReportReading {
+    const Case* known = nullptr;  ///< the case, where it is at hand
+    std::size_t most_numbers = 0; ///< of metrics.csv, as read_thinned_metrics; 0: all
+};
+
 /// Throws InputError when `directory` is none, or holds nothing that a run leaves.
-ReportRun read_report_run(const std::filesystem::path& directory);
+ReportRun read_report_run(const std::filesystem::path& directory, const ReportReading& reading = {});
 
 /// `table` with every k-th sample (all vesicles of a step) and the last, k as small as gives at most `rows`
 /// rows. Returns k.

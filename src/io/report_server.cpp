@@ -2,18 +2,22 @@
 
 #include "core/input_error.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <httplib.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
 #include <ctime>
+#include <deque>
+#include <future>
 #include <mutex>
 #include <thread>
 
@@ -22,9 +26,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto patience = std::chrono::milliseconds(2000);
-/// A page asks every two seconds; one that asked within this time is still open.
-constexpr auto freshness = std::chrono::milliseconds(5000);
+/// A page asks more often than this: one that is open has asked within it, and will before it has passed
+/// again.
+constexpr auto patience = std::chrono::milliseconds(2500);
+/// For browsers that take an answer slowly, in all.
+constexpr auto last_answers = std::chrono::seconds(5);
 
 /// While this lives, threads that are begun leave signals to those that were there before.
 class NoSignals {
@@ -112,9 +118,33 @@ std::string host_of(const std::string& header) {
     return header.substr(0, header.find(':'));
 }
 
+/// Names such as 127.example.org are none.
 bool is_loopback(const std::string& address) {
-    return address == "localhost" || address == "::1" || address.starts_with("127.");
+    in_addr number{};
+    const bool is_v4 = ::inet_pton(AF_INET, address.c_str(), &number) == 1;
+    return address == "localhost" || address == "::1" || (is_v4 && (ntohl(number.s_addr) >> 24) == 127);
 }
+
+/// The times of the latest requests, of several threads.
+class Asking {
+public:
+    void note() {
+        const std::lock_guard lock(guard_);
+        times_.push_back(Clock::now());
+        while (Clock::now() - times_.front() > patience)
+            times_.pop_front();
+    }
+    std::size_t lately() const {
+        const std::lock_guard lock(guard_);
+        const auto now = Clock::now();
+        return static_cast<std::size_t>(
+            std::count_if(times_.begin(), times_.end(), [&](auto time) { return now - time < patience; }));
+    }
+
+private:
+    mutable std::mutex guard_;
+    std::deque<Clock::time_point> times_;
+};
 
 } // namespace
 
@@ -125,9 +155,10 @@ struct ReportServer::Listening {
     httplib::Server server;
     std::thread thread;
     Budget budget;
-    std::atomic<Clock::rep> asked{0};     ///< when a page last asked for the manifest; 0: never
-    std::atomic<bool> at_end{false};      ///< the run is over
-    std::atomic<bool> end_fetched{false}; ///< and a page knows
+    std::promise<void> ended;                ///< the thread has nothing more to do
+    Asking asking;                           ///< for the manifest
+    std::atomic<bool> at_end{false};         ///< the run is over
+    std::atomic<std::size_t> end_fetched{0}; ///< and so many answers said so
 
     /// A page of another site must not read the run through its reader's browser (DNS rebinding): the name
     /// it was told to ask is none of ours. Whoever opened the port to all has no such names to check.
@@ -142,10 +173,11 @@ struct ReportServer::Listening {
         server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
             response.set_header("X-Content-Type-Options", "nosniff");
             response.set_header("Cache-Control", "no-store");
-            if (is_meant(request))
+            const bool reads = request.method == "GET" || request.method == "HEAD";
+            if (reads && is_meant(request))
                 return httplib::Server::HandlerResponse::Unhandled;
-            response.status = 403;
-            response.set_content("ask for 127.0.0.1\n", "text/plain");
+            response.status = reads ? 403 : 405;
+            response.set_content(reads ? "ask for 127.0.0.1\n" : "this is for reading\n", "text/plain");
             return httplib::Server::HandlerResponse::Handled;
         });
         server.Get("/", [this](const httplib::Request&, httplib::Response& response) {
@@ -169,7 +201,7 @@ struct ReportServer::Listening {
     }
 
     void give_manifest(const httplib::Request& request, httplib::Response& response) {
-        asked = Clock::now().time_since_epoch().count();
+        asking.note();
         const Charge charge(budget);
         const bool last = at_end;
         const std::string tag = report->tag();
@@ -179,12 +211,12 @@ struct ReportServer::Listening {
         else
             response.set_content(report->manifest(), "application/json");
         if (last)
-            end_fetched = true;
+            ++end_fetched;
     }
 };
 
 ReportServer::ReportServer(std::shared_ptr<LiveReport> report, const std::string& address, int port)
-    : listening_(std::make_unique<Listening>()) {
+    : listening_(std::make_shared<Listening>()) {
     listening_->report = std::move(report);
     listening_->address = address;
     httplib::Server& server = listening_->server;
@@ -192,6 +224,7 @@ ReportServer::ReportServer(std::shared_ptr<LiveReport> report, const std::string
         return new httplib::ThreadPool(2);
     };
     server.set_keep_alive_max_count(1); // nobody holds the end of a run up
+    server.set_payload_max_length(0);   // nor fills the run's memory
     server.set_read_timeout(2);
     server.set_write_timeout(5);
     // Not even a second process of the same user may share the port, as the library would let it.
@@ -210,25 +243,29 @@ ReportServer::ReportServer(std::shared_ptr<LiveReport> report, const std::string
         listening_->port = port;
     listening_->route();
     const NoSignals quiet;
-    listening_->thread = std::thread([this] {
+    listening_->thread = std::thread([listening = listening_] {
         let_others_go_first();
-        listening_->server.listen_after_bind();
+        listening->server.listen_after_bind();
+        listening->ended.set_value();
     });
 }
 
 ReportServer::~ReportServer() {
     const auto begin = Clock::now();
-    const auto asked = Clock::time_point(Clock::duration(listening_->asked.load()));
+    const std::size_t pages = listening_->asking.lately(); // at most: one may have asked twice
     listening_->at_end = true;
     listening_->budget.end();
-    if (listening_->asked != 0 && begin - asked < freshness)
-        while (!listening_->end_fetched && Clock::now() - begin < patience)
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    while (listening_->end_fetched < pages && Clock::now() - begin < patience)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
     // A server that has not begun to listen yet would not hear that it is to stop.
     while (!listening_->server.is_running() && Clock::now() - begin < 2 * patience)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     listening_->server.stop();
-    listening_->thread.join();
+    // Nobody who reads slowly holds up the end of a run: what the thread needs is its own.
+    if (listening_->ended.get_future().wait_for(last_answers) == std::future_status::ready)
+        listening_->thread.join();
+    else
+        listening_->thread.detach();
 }
 
 std::string ReportServer::url() const {

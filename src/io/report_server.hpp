@@ -14,7 +14,8 @@ class ReportServer {
 public:
     /// Listens from now on; port 0 takes a free one. Throws RunError when the address or port cannot be had.
     ReportServer(std::shared_ptr<LiveReport> report, const std::string& address, int port);
-    /// Waits two seconds at most for browsers that have followed the run to fetch its end.
+    /// Waits 2.5 seconds at most for browsers that follow the run to fetch its end, and five for them to take
+    /// it.
     ~ReportServer();
     ReportServer(const ReportServer&) = delete;
     ReportServer& operator=(const ReportServer&) = delete;
@@ -24,7 +25,7 @@ public:
 
 private:
     struct Listening;
-    std::unique_ptr<Listening> listening_;
+    std::shared_ptr<Listening> listening_;
 };
 
 } // namespace vesica

@@ -18,12 +18,13 @@ constexpr double position_steps = 65535.0;
 /// Finer than the eye tells colours apart; bits beyond would mostly be noise, which does not compress.
 constexpr double value_steps = 1023.0;
 
-const std::array<ColourQuantity, 6> known = {{{"mean_curvature", "mean_curvature"},
+const std::array<ColourQuantity, 7> known = {{{"mean_curvature", "mean_curvature"},
                                               {"gaussian_curvature", "gaussian_curvature"},
                                               {"speed", "velocity"},
-                                              {"force", "bending_force"},
+                                              {"total_force", "bending_force"},
                                               {"bending_force", "bending_force"},
-                                              {"tension_force", "tension_force"}}};
+                                              {"tension_force", "tension_force"},
+                                              {"area_force", "area_force"}}};
 
 const SurfaceQuantity* find_quantity(const SurfaceArrays& surface, std::string_view name) {
     for (const auto& quantity : surface.quantities)
@@ -40,7 +41,7 @@ std::vector<double> values_of(const SurfaceArrays& surface, const std::string& n
             for (std::size_t i = 0; i < values.size(); ++i)
                 values[i] += quantity->values[i];
     };
-    if (name == "force") {
+    if (name == "total_force" && find_quantity(surface, "total_force") == nullptr) {
         add("bending_force");
         add("tension_force");
     } else if (name == "speed") {

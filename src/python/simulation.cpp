@@ -123,6 +123,13 @@ public:
         });
     }
 
+    bool is_steady() {
+        return alone_with([&] { return run_->is_steady(); });
+    }
+    auto bytes() {
+        return alone_with([&] { return run_->engine().bytes_allocated(); });
+    }
+
     const LiveRun& run() const { return *run_; }
     int ranks() const { return crew_ ? crew_->ranks().count() : 1; }
 
@@ -160,11 +167,10 @@ void bind_simulation(py::module_& module) {
         .def("save", &Self::save, py::arg("path"), "Writes a checkpoint.")
         .def_property_readonly("case", [](const Self& self) { return self.run().what(); })
         .def_property_readonly("step", [](const Self& self) { return self.run().step(); })
-        .def_property_readonly("is_steady", [](const Self& self) { return self.run().is_steady(); })
+        .def_property_readonly("is_steady", &Self::is_steady)
         .def_property_readonly("threads", [](const Self& self) { return self.run().threads(); })
         .def_property_readonly("ranks", &Self::ranks)
-        .def_property_readonly("bytes",
-                               [](const Self& self) { return self.run().engine().bytes_allocated(); })
+        .def_property_readonly("bytes", &Self::bytes)
         .def_property_readonly("instruction_set", [](const Self& self) {
             return std::string(self.run().engine().instruction_set());
         });

@@ -222,6 +222,8 @@ RunOutcome run_case(const Case& original, const RunOptions& options) {
     }
     // The directory first: a refusal should not take as long as building the initial state does.
     OutputDirectory directory = OutputDirectory::create(options.directory, options.overwrite);
+    if (options.begun)
+        options.begun();
     const int threads = threads_for(options);
     Session session(what, plan, options, std::move(directory), threads, begin);
     write_atomically(session.directory() / "case.toml", what.source_text);

@@ -20,6 +20,7 @@ struct RunOptions : EngineOptions {
     PlanOptions plan;
     std::ostream* out = nullptr; ///< for progress and a word at the beginning and the end; null: silent
     bool terminal = false;       ///< whether `out` is one
+    std::function<void()> begun; ///< called when the directory is this run's; may be empty
 };
 
 /// Exit statuses of the program, for whoever runs a case.

@@ -69,7 +69,8 @@ RunRecorder::RunRecorder(const Case& what, const OutputDirectory& directory, Run
         fields_.emplace(what, directory.path(), resumed, hands.fields);
     if (what.output.surfaces_every > 0)
         surfaces_.emplace(what, directory.path(), resumed, hands.threads);
-    for (const char* const name : {"metrics.csv", "profiles.csv", "suspension.csv", "tracers.csv"})
+    for (const char* const name :
+         {"metrics.csv", "profiles.csv", "suspension.csv", "pairs.csv", "tracers.csv"})
         if (resumed)
             tables_[directory_ / name] = bytes_of(directory_ / name);
     if (what.output.profiles)
@@ -120,6 +121,7 @@ void RunRecorder::carry_out(Event event, const Engine& engine, OutputSummary::Ki
         profiles_->write(engine);
         add_table("profiles.csv");
         add_table("suspension.csv");
+        add_table("pairs.csv");
         break;
     case Event::tracers:
         if (tracers_)

@@ -98,8 +98,13 @@ class Watch(unittest.TestCase):
         for path in ("/frame/7", "/frame/99999999999999999999999", "/frame/../../case.toml", "/../run/case.toml", "/case.toml"):
             self.assertEqual(self.ask(port, path)[0], 404, path)
         for method in ("POST", "PUT", "DELETE"):
-            self.assertIn(self.ask(port, "/manifest", method)[0], (400, 404), method)
-        self.assertEqual(self.ask(port, "/manifest", Host="elsewhere.example")[0], 403)
+            self.assertEqual(self.ask(port, "/manifest", method)[0], 405, method)
+        # What somebody sends is not even read.
+        with socket.create_connection(("127.0.0.1", port), timeout=60) as sender:
+            sender.sendall(b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 1000000000000\r\n\r\n")
+            self.assertIn(b" 405 ", sender.recv(4096))
+        for host in ("elsewhere.example", "127.elsewhere.example", "127.0.0.1.elsewhere.example", "128.0.0.1"):
+            self.assertEqual(self.ask(port, "/manifest", Host=host)[0], 403, host)
         self.assertEqual(self.ask(port, "/manifest", Host=f"localhost:{port}")[0], 200)
         own = {info[4][0] for info in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)} - {"127.0.0.1"}
         for address in own:

@@ -18,7 +18,7 @@ std::string no_plan() {
 
 TEST_CASE("a run whose directory is still to come has a page without data") {
     const ScratchDirectory scratch;
-    LiveReport report(scratch / "run", "<p><!--vesica:data--></p>", no_plan);
+    LiveReport report(scratch / "run", "<p><!--vesica:data--></p>", Case{}, no_plan);
     const auto manifest = nlohmann::json::parse(report.manifest());
     REQUIRE(manifest["state"] == "running");
     REQUIRE(manifest["live"] == true);
@@ -30,9 +30,14 @@ TEST_CASE("a run whose directory is still to come has a page without data") {
 
 TEST_CASE("a live report grows with the run, and its tag tells when") {
     const ScratchDirectory scratch;
-    LiveReport report(scratch.path(), "", no_plan);
+    LiveReport report(scratch.path(), "", Case{}, no_plan);
     SurfaceSeries series(scratch.path(), Scales{});
     series.write(0, {spheroid_mesh(5, 1, 1)});
+    REQUIRE(nlohmann::json::parse(report.manifest())["frames"].empty()); // an earlier run's
+    REQUIRE_FALSE(report.frame(0));
+    const std::string early = report.tag();
+    report.begin();
+    REQUIRE(report.tag() != early);
     put_content(scratch / "metrics.csv", "step,time,vesicle,area\n0,0,0,1\n");
     const std::string before = report.tag();
     REQUIRE(report.tag() == before);
@@ -53,7 +58,8 @@ TEST_CASE("a live report grows with the run, and its tag tells when") {
 
 TEST_CASE("of very many frames a few hundred are shown, the last among them, always the same ones") {
     const ScratchDirectory scratch;
-    LiveReport report(scratch.path(), "", no_plan);
+    LiveReport report(scratch.path(), "", Case{}, no_plan);
+    report.begin();
     std::filesystem::create_directory(scratch / "surfaces");
     const auto steps = [&](int count) {
         for (int i = 0; i < count; ++i)

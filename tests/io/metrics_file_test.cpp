@@ -158,3 +158,29 @@ TEST_CASE("on a full disk the table ends with the last whole sample") {
     REQUIRE(table.rows.size() == 2 * (static_cast<std::size_t>(step) - 1));
     REQUIRE(table.rows.size() > 100);
 }
+
+TEST_CASE("a thinned table has every k-th sample whole, and the last") {
+    const ScratchDirectory scratch;
+    const auto table_of = [&](int samples) {
+        std::string text = "step,vesicle\n";
+        for (int sample = 0; sample < samples; ++sample)
+            for (int vesicle = 0; vesicle < 3; ++vesicle)
+                text += fmt::format("{},{}\n", 10 * sample, vesicle);
+        put_content(scratch / "metrics.csv", text + "99999,");    // torn
+        return read_thinned_metrics(scratch / "metrics.csv", 60); // ten samples of three rows of two
+    };
+    for (int samples = 1; samples < 100; ++samples) {
+        INFO(samples);
+        const auto [table, every] = table_of(samples);
+        REQUIRE(every == std::bit_ceil((static_cast<unsigned>(samples) + 8) / 10)); // the last is not counted
+        std::vector<std::vector<double>> expected;
+        for (int sample = 0; sample < samples; ++sample)
+            if (sample % static_cast<int>(every) == 0 || sample + 1 == samples)
+                for (int vesicle = 0; vesicle < 3; ++vesicle)
+                    expected.push_back({10.0 * sample, static_cast<double>(vesicle)});
+        REQUIRE(table.rows == expected);
+    }
+    put_content(scratch / "metrics.csv", "step,vesicle\n0,0\n1,?\n2,0\n");
+    REQUIRE_THAT(complaint_of<RunError>([&] { read_thinned_metrics(scratch / "metrics.csv", 60); }),
+                 Catch::EndsWith(":3: is damaged: expected 2 numbers"));
+}

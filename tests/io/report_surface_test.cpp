@@ -147,8 +147,9 @@ TEST_CASE("packed surfaces are right to half a step of their numbers") {
                                    1.0,
                                    surface.quantities[2].values[i] + surface.quantities[3].values[i],
                                    surface.quantities[2].values[i],
-                                   surface.quantities[3].values[i]};
-        for (std::size_t q = 0; q < 6; ++q) {
+                                   surface.quantities[3].values[i],
+                                   0.0};
+        for (std::size_t q = 0; q < 7; ++q) {
             const double low = one["low"][q], step = (one["high"][q].get<double>() - low) /
                                                      page.header["value_steps"].get<double>();
             REQUIRE(low + step * row[3 + q] == Approx(expected[q]).margin(0.5001 * step + 1e-12));
