@@ -25,9 +25,9 @@ struct MetricsTable {
 /// has no header, or is damaged before its end (`FILE:LINE: ...`).
 MetricsTable read_metrics(const std::filesystem::path& path);
 
-/// Every k-th sample (all vesicles of a step) and the last, k the least power of two with which they are at
-/// most `most_numbers`, and k. Takes memory for what it returns only. Without row_ends and torn_bytes. Throws
-/// as read_metrics does.
+/// Every k-th sample (all vesicles of a step) and the last, k the least power of two with which all but the
+/// last are at most `most_numbers`, and k. Takes memory for what it returns only. Without row_ends and
+/// torn_bytes. Throws as read_metrics does.
 std::pair<MetricsTable, std::size_t> read_thinned_metrics(const std::filesystem::path& path,
                                                           std::size_t most_numbers);
 

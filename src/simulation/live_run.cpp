@@ -91,7 +91,7 @@ void LiveRun::advance() {
     if (schedule_.anything_to_write(step()))
         refuse_trouble();
     if (schedule_.due(Event::metrics, step()))
-        metrics_.sample(engine_->snapshot());
+        metrics_.sample(engine_->snapshot(), threads_);
 }
 
 void LiveRun::refuse_trouble() const {
@@ -108,7 +108,7 @@ const std::vector<MetricsRow>& LiveRun::sample() {
     if (is_sampled())
         return metrics_.last();
     refuse_trouble();
-    return metrics_.sample(engine_->snapshot());
+    return metrics_.sample(engine_->snapshot(), threads_);
 }
 
 SurfaceArrays LiveRun::surface(int vesicle) const {

@@ -140,6 +140,8 @@ void RunMetrics::remember(std::int64_t step) {
     // The sample after the last step may be off the schedule; a longer run would not have taken it.
     if (!criterion_ || every_ == 0 || step % every_ != 0)
         return;
+    if (!history_.empty() && history_.back().step == step) // a checkpoint remembered it
+        return;
     Moment moment{step, {}};
     for (const MetricsRow& row : last_)
         moment.values.push_back(metrics_value(row, criterion_->quantity));

@@ -76,6 +76,8 @@ TEST_CASE("what is remembered survives a checkpoint") {
     // begun from another state, as a resumed run's engine is before its checkpoint is loaded
     RunMetrics resumed(test::small_sphere(), until_steady(1e-3, 100), 50, sphere_at({16, 16, 16}, 0, 7.0));
     resumed.restore(whole.notes());
+    resumed.sample(sphere_at({28, 16, 16}, 50)); // looked at again: nothing new
+    CHECK((resumed.notes() == whole.notes()));
     const Snapshot next = sphere_at({8, 16, 16}, 100);
     whole.sample(next);
     resumed.sample(next);
