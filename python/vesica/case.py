@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from vesica.arguments import thread_count
 from vesica.compiled import part
 from vesica.scales import Scales
 from vesica.toml_text import look_up, toml_text
@@ -112,7 +113,7 @@ class Case:
     def check(self, threads: int | None = None, cost: bool = False, accept_soft_membranes: bool = False) -> Plan:
         """What ``vesica check`` says: InputError with everything ``run`` would refuse, or the plan. ``cost``: takes a few
         steps to measure how long the run will take."""
-        return Plan(**part.check_case(self._found, threads or 0, cost, accept_soft_membranes))
+        return Plan(**part.check_case(self._found, thread_count(threads), cost, accept_soft_membranes))
 
     def __repr__(self) -> str:
         changes = "".join(f", {change}" for change in self._overrides.values())

@@ -107,7 +107,7 @@ class Run:
         """The surface at a step (by default the last), drawn by VTK without a display.
 
         colour_by: a field of the surface ("mean_curvature", "gaussian_curvature", "bending_force", "tension_force",
-        "velocity" by its size), "vesicle", or None for one colour. vesicle: one alone, or all.
+        "area_force", "total_force", "velocity" by its size), "vesicle", or None for one colour. vesicle: one alone, or all.
         annotated: a matplotlib figure with scale and colour bar; otherwise the picture alone, (height, width, 3) uint8."""
         from vesica.plotting import pictures
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 
+from vesica.arguments import count_or_none, thread_count
 from vesica.case import Case
 from vesica.compiled import part
 from vesica.directory import Run
@@ -17,18 +18,19 @@ def run(case: Case, directory: str | os.PathLike[str], *, steps: int | None = No
         overwrite: bool = False, progress: bool = False, accept_soft_membranes: bool = False) -> Run:
     """``vesica run``: leaves metrics, fields, surfaces and checkpoints in the directory, and returns it as a Run.
 
-    overwrite: replaces what an earlier run left there. progress: the program's own line on standard output.
+    steps: instead of the case's. overwrite: replaces what an earlier run left there. progress: the program's own line on standard output.
     Ctrl-C writes a checkpoint and raises KeyboardInterrupt. InputError if the case cannot serve, RunError if the run
     fails; what was written before stays."""
-    outcome = part.run_case(case._found, os.fspath(directory), steps, threads or 0, overwrite, progress,
-                            accept_soft_membranes)
+    outcome = part.run_case(case._found, os.fspath(directory), count_or_none("steps", steps, 1), thread_count(threads),
+                            overwrite, progress, accept_soft_membranes)
     return _finished(outcome, directory)
 
 
 def resume(directory: str | os.PathLike[str], *, steps: int | None = None, threads: int | None = None,
            progress: bool = False) -> Run:
     """``vesica resume``: continues the run in a directory from its newest intact checkpoint, up to ``steps`` in total."""
-    return _finished(part.resume_run(os.fspath(directory), steps, threads or 0, progress), directory)
+    outcome = part.resume_run(os.fspath(directory), count_or_none("steps", steps, 1), thread_count(threads), progress)
+    return _finished(outcome, directory)
 
 
 def _finished(outcome: dict, directory: str | os.PathLike[str]) -> Run:

@@ -15,7 +15,8 @@ DIMENSIONS: dict[str, tuple[int, int, int]] = {
     "pressure": (-1, -2, 1), "stress": (-1, -2, 1), "tension": (0, -2, 1), "energy": (2, -2, 1),
     "force": (-2, -2, 1),  # the field: per volume
     "mean_curvature": (-1, 0, 0), "gaussian_curvature": (-2, 0, 0),
-    "bending_force": (-1, -2, 1), "tension_force": (-1, -2, 1),  # per membrane area
+    "bending_force": (-1, -2, 1), "tension_force": (-1, -2, 1),  # four per membrane area
+    "area_force": (-1, -2, 1), "total_force": (-1, -2, 1),
     # columns of metrics.csv; those that are not here are pure numbers
     "area": (2, 0, 0), "volume": (3, 0, 0), "mean_curvature_integral": (1, 0, 0),
     "inertia_1": (2, 0, 1), "inertia_2": (2, 0, 1), "inertia_3": (2, 0, 1),

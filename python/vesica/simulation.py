@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy
 
+from vesica.arguments import count, thread_count
 from vesica.case import Case
 from vesica.compiled import part
 from vesica.errors import InputError
@@ -68,14 +69,14 @@ class Simulation:
 
     def __init__(self, case: Case, threads: int | None = None, *, ranks: int | None = None,
                  accept_soft_membranes: bool = False) -> None:
-        self._run = part.Simulation(case._found, _threads(threads), _alone(ranks), accept_soft_membranes)
-        self._case = case
+        self._run = part.Simulation(case._found, thread_count(threads), _alone(ranks), accept_soft_membranes)
+        self._case = case.changed({})
 
     @classmethod
     def resume(cls, path: str | os.PathLike[str], threads: int | None = None, *, ranks: int | None = None) -> Simulation:
         """Goes on from a checkpoint, or from the newest intact one of a run's directory, bit for bit."""
         simulation = cls.__new__(cls)
-        simulation._run = part.Simulation.resume(os.fspath(path), _threads(threads), _alone(ranks))
+        simulation._run = part.Simulation.resume(os.fspath(path), thread_count(threads), _alone(ranks))
         simulation._case = Case.from_text(simulation._run.case.resolved, name=simulation._run.case.source_file)
         return simulation
 
@@ -86,8 +87,8 @@ class Simulation:
 
     @property
     def case(self) -> Case:
-        """The case it was made of; a change to it changes nothing here."""
-        return self._case
+        """A copy of the case it was made of; what becomes of either changes nothing here."""
+        return self._case.changed({})
 
     @property
     def threads(self) -> int:
@@ -113,14 +114,14 @@ class Simulation:
 
         Ctrl-C raises KeyboardInterrupt between two steps; the simulation can go on afterwards, with the same iterator or
         another. RunError if the run becomes unstable."""
-        last = max(self._run.case.steps, self.step) if steps is None else self.step + _count("steps", steps, 0)
+        last = max(self._run.case.steps, self.step) if steps is None else self.step + count("steps", steps, 0)
         if every is None:
             every = self._run.case.metrics_every or max(1, last - self.step)
-        return Steps(self, last, _count("every", every, 1), until_steady=steps is None)
+        return Steps(self, last, count("every", every, 1), until_steady=steps is None)
 
     def advance(self, steps: int = 1) -> None:
         """Does so many steps without a sample. Ctrl-C and RunError as for run()."""
-        self._run.advance(_count("steps", steps, 0))
+        self._run.advance(count("steps", steps, 0))
 
     def sample(self) -> Sample:
         """The metrics of the present state."""
@@ -134,8 +135,8 @@ class Simulation:
     def field(self, name: str) -> numpy.ndarray:
         """A field of the whole box, computed now: (nz, ny, nx), vectors (nz, ny, nx, 3), float64. The array is yours; the
         simulation keeps its state in place in tiles of its own and in no such array. Names: density, phase, velocity,
-        pressure, force, normal, mean_curvature, gaussian_curvature, bending_force, tension_force. What exists near the
-        membrane only is 0 elsewhere."""
+        pressure, force, normal, mean_curvature, gaussian_curvature, bending_force, tension_force, area_force. What
+        exists near the membrane only is 0 elsewhere."""
         known = part.field_names()
         if name not in known:
             raise InputError(f"field is {name!r}; expected one of {', '.join(known)}")
@@ -178,7 +179,12 @@ class Simulation:
         return Surface(*self._run.surface(vesicle))
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes a checkpoint, whole or not at all: the file that ``vesica run`` would have written at this step."""
+        """Writes a checkpoint, whole or not at all: byte for byte the file that ``vesica run`` would have written at this
+        step, but for two things that a simulation in memory does not have and leaves out. These are the sums of an average
+        of fields that is under way ([output.fields] average), and the tracers of a case with [tracers].
+
+        ``Simulation.resume`` misses neither. ``vesica resume`` in a directory with such a checkpoint begins the average anew,
+        and refuses a case with tracers; that can start from the file by [initial] checkpoint."""
         self._run.save(os.fspath(path))
 
     def __repr__(self) -> str:
@@ -205,16 +211,6 @@ class Steps(Iterator[Sample]):
         self._simulation.advance(min((step // self._every + 1) * self._every, self._last) - step)
         self._ended = self._until_steady and self._simulation.is_steady
         return self._simulation.sample()
-
-
-def _count(name: str, value: int, lowest: int) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, numpy.integer)) or value < lowest:
-        raise InputError(f"{name} is {value!r}; expected a whole number of at least {lowest}")
-    return int(value)
-
-
-def _threads(threads: int | None) -> int:
-    return 0 if threads is None else _count("threads", threads, 1)
 
 
 def _alone(ranks: int | None) -> bool:

@@ -14,7 +14,8 @@ class Surface:
     """A closed surface; triangles counter-clockwise seen from outside.
 
     points (n, 3) in cells, triangles (m, 3) of indices, fields {name: (n,) or (n, 3)}: mean_curvature and
-    gaussian_curvature, bending_force and tension_force (per area, along the outward normal), velocity."""
+    gaussian_curvature; bending_force, tension_force (of the constant tension), area_force (of what holds the area) and
+    their sum total_force, all per area and along the outward normal; velocity and normal (n, 3)."""
 
     points: numpy.ndarray
     triangles: numpy.ndarray

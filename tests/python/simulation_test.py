@@ -42,6 +42,17 @@ class Simulations(Scratch):
         with self.assertRaisesRegex(vesica.InputError, "field is 'vorticity'; expected one of .*velocity"):
             simulation.field("vorticity")
 
+    def test_what_becomes_of_its_case_afterwards_changes_nothing(self):
+        case = self.case.changed({})
+        simulation = vesica.Simulation(case, threads=1)
+        shape, words = simulation.shape, repr(simulation)
+        larger = {"lattice.size": [40, 40, 40], "vesicle[0].centre": [20, 20, 20]}
+        case.update(larger)
+        simulation.case.update(larger)
+        self.assertEqual((simulation.shape, repr(simulation)), (shape, words))
+        self.assertEqual(simulation.case["lattice.size"], [24, 24, 28])
+        self.assertEqual(simulation.phase().shape, shape)
+
     def test_arrays_outlive_the_simulation_and_are_not_copied(self):
         simulation = vesica.Simulation(self.case, threads=1)
         phase = simulation.phase()

@@ -65,6 +65,41 @@ class Trajectory(Scratch):
         numpy.testing.assert_array_equal(resumed.velocity(), simulation.velocity())
         self.assertEqual(vesica.Simulation.resume(run).step, 24)  # the newest
 
+    def test_a_checkpoint_leaves_out_tracers_and_averages_and_nothing_else(self):
+        text = RELAXING.replace('"mean_curvature"] }', '"mean_curvature"], average = true }')
+        text = text.replace("checkpoint = { every = 12 }", "checkpoint = { every = 6 }")
+        text += '[tracers]\nevery = 6\n[[tracers.seeds]]\nfrom = [3, 3, 3]\n'
+        run = self.run_program(text, "followed", "--steps", "6")
+        theirs, ours = run / "checkpoints/step_000000006.h5", self.folder / "followed.h5"
+        simulation = vesica.Simulation(vesica.Case.from_text(text, {"run.steps": 6}))
+        simulation.advance(6)
+        simulation.save(ours)
+
+        def contents(path):
+            found = {}
+            with h5py.File(path) as file:
+                file.visititems(lambda name, item: found.update({name: item[()]})
+                                if isinstance(item, h5py.Dataset) else None)
+            return found
+
+        whole, rest = contents(theirs), contents(ours)
+        missing = set(whole) - set(rest)
+        self.assertEqual(set(rest) - set(whole), set())
+        self.assertEqual(missing, {"notes/tracers", "notes/average_samples", "sums/phase", "sums/velocity",
+                                   "sums/mean_curvature"})
+        for name in rest:
+            numpy.testing.assert_array_equal(rest[name], whole[name], name)
+
+        resumed = vesica.Simulation.resume(ours)
+        resumed.advance(2)
+        simulation.advance(2)
+        numpy.testing.assert_array_equal(resumed.velocity(), simulation.velocity())
+        theirs.write_bytes(ours.read_bytes())
+        status, _, errors = self.program("resume", "followed", "--steps", "12")
+        self.assertEqual(status, 1)
+        self.assertIn("the checkpoint does not remember its tracers", errors)
+        self.run_program(f'initial.checkpoint = "{ours}"\n' + text, "started", "--steps", "6")
+
     def test_several_vesicles_in_shear_give_the_programs_rows(self):
         rows = rows_of(self.run_program(SHEARED, "sheared"))
         case = vesica.Case.from_text(SHEARED)
@@ -83,6 +118,20 @@ class Trajectory(Scratch):
         self.assertEqual((run.path / "metrics.csv").read_bytes(), (by_program / "metrics.csv").read_bytes())
         with self.assertRaisesRegex(vesica.RunError, "overwrite"):
             vesica.run(case, run.path)
+
+    def test_counts_that_cannot_be_are_refused_before_anything_is_written(self):
+        case, folder = vesica.Case.from_text(RELAXING), self.folder / "refused"
+        for wrong in (0, -5, 1.5, "10", True):
+            with self.assertRaisesRegex(vesica.InputError, "steps is .*; expected a whole number of at least 1"):
+                vesica.run(case, folder, steps=wrong)
+            with self.assertRaisesRegex(vesica.InputError, "steps is .*; expected a whole number of at least 1"):
+                vesica.resume(folder, steps=wrong)
+        for serve in (lambda threads: vesica.run(case, folder, threads=threads), case.check,
+                      lambda threads: vesica.resume(folder, threads=threads)):
+            for wrong in (0, -3, 1.5):
+                with self.assertRaisesRegex(vesica.InputError, "threads is .*; expected a whole number of at least 1"):
+                    serve(wrong)
+        self.assertFalse(folder.exists())
 
 
 if __name__ == "__main__":

@@ -18,7 +18,9 @@ LABELS = {
     "mean_curvature": "mean curvature H (1/cells), sphere +",
     "gaussian_curvature": "Gaussian curvature K (1/cells²)",
     "bending_force": "bending force per area, outwards +",
-    "tension_force": "tension's force per area, outwards +",
+    "tension_force": "constant tension's force per area, outwards +",
+    "area_force": "area constraint's force per area, outwards +",
+    "total_force": "membrane's force per area, outwards +",
     "velocity": "speed (cells per step)",
 }
 PLAIN = "#B5483A"
