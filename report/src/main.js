@@ -76,8 +76,10 @@ function start() {
   };
   tables();
 
-  follow(manifest, (newer) => {
-    const wasLast = store.get("frame") >= frames().length - 1;
+  const grow = (newer) => {
+    const index = store.get("frame");
+    const step = frames()[index]?.step;
+    const wasLast = index >= frames().length - 1;
     const hadSamples = metrics.steps.length > 0;
     if (!manifest.box && newer.box) return location.reload(); // the page was opened before the run had begun
     Object.assign(manifest, newer);
@@ -90,17 +92,23 @@ function start() {
       createColumns(metrics, (names) => plots.choose(names));
       showVesicles(store, metrics.vesicles);
     }
+    // Long runs offer every n-th frame, with n growing: a reader stays at the step, wherever it is among them now.
     if (wasLast && !store.get("playing")) timeline.go(frames().length - 1);
-    if (!stage.shown) stage.showFrame(); // the first there is
+    else if (step !== undefined) timeline.go(nearestFrame(frames(), step));
+    if (store.get("frame") === index && frames()[index]?.step !== step) { // the first there is, or another in its place
+      store.set("step", frames()[index].step);
+      stage.showFrame();
+    }
     timeline.say();
     if (manifest.summary) tables();
-  }, () => {
+  };
+  follow(manifest, grow, () => {
     const words = manifest.summary ? "The run has ended. " : "The program that runs this no longer answers. ";
     byId("notes").prepend(element("p", { class: "notice" }, `${words}\`vesica report DIR\` makes a page that stays.`));
   });
 
   // For tests and the curious: what the page holds.
-  window.vesica = { store, manifest, get metrics() { return metrics; }, plots, stage };
+  window.vesica = { store, manifest, get metrics() { return metrics; }, plots, stage, grow };
   performance.mark("vesica-tables");
   // Everything else is on the screen before the 3D view asks for the graphics.
   requestAnimationFrame(() => setTimeout(() => {

@@ -40,9 +40,10 @@ const shown = {
   mean_curvature: { label: "Mean curvature H", lattice: "1/cell", si: [1e-6, "1/µm"] },
   gaussian_curvature: { label: "Gaussian curvature K", lattice: "1/cell²", si: [1e-12, "1/µm²"] },
   speed: { label: "Speed", lattice: "cells/step", si: [1e6, "µm/s"] },
-  force: { label: "Membrane force, normal", lattice: "lattice units", si: [1, "Pa"] },
+  total_force: { label: "Membrane force, normal", lattice: "lattice units", si: [1, "Pa"] },
   bending_force: { label: "Bending force, normal", lattice: "lattice units", si: [1, "Pa"] },
   tension_force: { label: "Tension force, normal", lattice: "lattice units", si: [1, "Pa"] },
+  area_force: { label: "Area force, normal", lattice: "lattice units", si: [1, "Pa"] },
 };
 
 export function quantityText(name, siUnit, hasScales) {

@@ -20,7 +20,7 @@ export const readFrame = async (manifest, step) => (manifest.live ? servedFrame(
 
 // Calls `use` with a new manifest whenever the run has gone on, `lost` when nobody answers any more.
 export function follow(manifest, use, lost) {
-  const pause = 2000;
+  const pause = 1500; // under the program's patience with a page that went away (docs/report.md)
   let tag = "";
   let failures = 0;
   const ask = async () => {

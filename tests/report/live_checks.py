@@ -38,6 +38,16 @@ class Live(unittest.TestCase):
             held, frames = page.shown_step(), page.run("return window.vesica.manifest.frames.length")
             page.wait(f"return window.vesica.manifest.frames.length > {frames}")
             self.assertEqual(page.shown_step(), held)
+            # So too when the list of frames is thinned under the reader: the step stays, its index does not.
+            page.run("const s = document.getElementById('frame'); s.value = 2; s.dispatchEvent(new Event('input'))")
+            page.settle()
+            held = page.shown_step()
+            page.run("""
+                const { grow, manifest } = window.vesica;
+                grow({ ...manifest, frames: manifest.frames.filter((frame, index) => index % 2 === 0) });""")
+            page.settle()
+            self.assertEqual(page.run("return [window.vesica.store.get('frame'), window.vesica.store.get('step')]"), [1, held])
+            self.assertEqual(page.shown_step(), held)
             self.assertIn("running", page.run("return document.getElementById('badges').textContent"))
             self.assertEqual(page.complaints(), [])
 

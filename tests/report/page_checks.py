@@ -109,10 +109,10 @@ class Page(unittest.TestCase):
             self.browser.settle()
             pictures[choice] = self.browser.canvas()
             legends.add(self.browser.run("return document.getElementById('legend').textContent"))
-        self.assertEqual(len(legends), 6)  # a vesicle's colour has none
-        self.assertEqual(list(pictures), ["mean_curvature", "gaussian_curvature", "speed", "force", "bending_force",
-                                          "tension_force", "vesicle"])
-        for one in ("gaussian_curvature", "speed", "force", "vesicle"):
+        self.assertEqual(len(legends), 7)  # a vesicle's colour has none
+        self.assertEqual(list(pictures), ["mean_curvature", "gaussian_curvature", "speed", "total_force", "bending_force",
+                                          "tension_force", "area_force", "vesicle"])
+        for one in ("gaussian_curvature", "speed", "total_force", "vesicle"):
             difference = numpy.abs(pictures[one] - pictures["mean_curvature"]).max(axis=2)
             self.assertGreater(numpy.mean(difference > 0.03), 0.001, one)
 
