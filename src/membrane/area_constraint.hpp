@@ -39,7 +39,9 @@ struct PaperAreaPenalty {
 ///   sigma_A = K (e + (1/T_i) int e dt + T_d de/dt).
 /// K stays below eta R per step, where an explicit area spring becomes unstable. Compression is limited to
 /// what buckles a sphere into its l = 2 mode only (-12 < (sigma + sigma_A) R^2/kappa): beyond, wrinkles and
-/// starfish grow faster than the shape wanted. While the limit acts the integral is frozen.
+/// starfish grow faster than the shape wanted. While the limit acts the integral is frozen. The first tension
+/// takes up sigma, which a held area makes redundant: a membrane that had to wait for the integral would be
+/// smoothed by sigma alone for R/nu steps, and a perturbation would be gone before the area begins to grow.
 class AreaMultiplier {
 public:
     struct Gains {
@@ -47,6 +49,7 @@ public:
         double integral_time = 1.0;   ///< T_i, steps
         double derivative_time = 0.0; ///< T_d, steps
         double lowest_tension = 0.0;  ///< of sigma_A
+        double first_tension = 0.0;   ///< sigma_A of a membrane that begins with its target area
     };
     struct State {
         double integral = 0.0; ///< int e dt, steps
@@ -55,7 +58,10 @@ public:
     };
 
     AreaMultiplier() = default;
-    explicit AreaMultiplier(const Gains& gains) : gains_(gains) {}
+    explicit AreaMultiplier(const Gains& gains) : gains_(gains) {
+        if (gains.proportional > 0.0)
+            state_.integral = gains.first_tension * gains.integral_time / gains.proportional;
+    }
 
     double tension(double area, double target) {
         const double excess = (area - target) / target;

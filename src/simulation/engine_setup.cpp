@@ -42,6 +42,7 @@ AreaMultiplier::Gains controller_gains(const VesicleType& type, double radius, d
     // The sphere's mode l = 3 buckles at sigma R^2/kappa = -12. A membrane that cannot bend resists no
     // compression.
     gains.lowest_tension = -12.0 * stiffness_of(type.bending) / (radius * radius) - type.sigma;
+    gains.first_tension = -type.sigma;
     return gains;
 }
 

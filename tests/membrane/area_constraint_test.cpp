@@ -53,6 +53,12 @@ TEST_CASE("each part of the multiplier's law counts as stated: excess, its sum a
     CHECK(multiplier.tension(102.0, 100.0) == Approx(2.0 * (0.02 + 0.06 / 10.0 - 5.0 * 0.01)));
 }
 
+TEST_CASE("the multiplier takes up sigma from the first step on", "[membrane]") {
+    AreaMultiplier multiplier({2.0, 10.0, 5.0, -100.0, -0.3});
+    CHECK(multiplier.tension(100.0, 100.0) == Approx(-0.3));
+    CHECK(multiplier.tension(101.0, 100.0) == Approx(-0.3 + 2.0 * (0.01 + 0.01 / 10.0 + 5.0 * 0.01)));
+}
+
 TEST_CASE("the multiplier never compresses beyond its limit, nor pays for it afterwards", "[membrane]") {
     AreaMultiplier multiplier({1.0, 100.0, 0.0, -0.05});
     for (int step = 0; step < 10000; ++step)

@@ -215,6 +215,21 @@ TEST_CASE("a membrane three times as stiff by its form is given the compression 
     CHECK(std::abs(metrics_of(*engine).area_ratio - 1.0) < 5e-3); // it rounds up to a sphere, .86, without
 }
 
+TEST_CASE("where a multiplier holds the area sigma decides nothing, from the first step on") {
+    const auto deformed = [](double sigma) {
+        Parameters parameters = deforming_spheroid(28, 7.0);
+        parameters.types[0].sigma = sigma;
+        const auto engine = make_engine(parameters, 2);
+        run(*engine, 300);
+        return metrics_of(*engine);
+    };
+    const MetricsRow without = deformed(0.0);
+    const MetricsRow with = deformed(0.1);
+    CHECK(with.bending_energy == Approx(without.bending_energy).epsilon(1e-9));
+    CHECK(with.inertia_3 == Approx(without.inertia_3).epsilon(1e-9));
+    CHECK(with.tension == Approx(without.tension).epsilon(1e-6));
+}
+
 TEST_CASE("a run gone wrong is noticed, with its place and cause") {
     const Parameters parameters = deforming_spheroid();
     const auto engine = make_engine(parameters, 1);
