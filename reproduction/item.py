@@ -39,6 +39,7 @@ class Item:
         finished = run_all(planned, self.runs_folder, self.program, processes, max(1, self.threads // processes))
         for simulation in planned:
             run = finished[simulation.name]
+            self.results.used(run.versions)
             why = None if run.failure is None else reason(run)
             self.runs.append({"name": simulation.name, "seconds": round(run.seconds), "failure": why})
             if why is not None:

@@ -35,6 +35,7 @@ class Item:
         finished = run_all(simulations, self.scratch, self.program, self.processes)
         for name, run in finished.items():
             self.results.seconds += run.seconds
+            self.results.used(run.versions)
             if run.failure is not None:
                 why = run.failure.removeprefix("vesica: ").partition("; likely cause")[0]  # what follows names directories
                 self.results.at_most(f"run {name} ends as it should", why, float("nan"), 0.0)

@@ -26,6 +26,10 @@ class Results:
     tables: list = field(default_factory=list)  # {"title", "columns", "rows"}
     notes: list = field(default_factory=list)
     seconds: float = 0.0  # of one core
+    versions: list = field(default_factory=list)  # of the program that made the runs, as far as their stamps say
+
+    def used(self, versions):
+        self.versions = sorted({*self.versions, *versions})
 
     def relative(self, law, conditions, measured, target, within):
         """Asks |measured/target - 1| <= within."""

@@ -35,16 +35,18 @@ class Simulation:
 
     def stamp(self):
         """What must not have changed if an earlier result is to stand for this run."""
-        return {"case": tomllib.loads(Path(self.case).read_text("utf-8")), "settings": self.settings}
+        options = {"options": list(self.options)} if self.options else {}
+        return {"case": tomllib.loads(Path(self.case).read_text("utf-8")), "settings": self.settings, **options}
 
 
 class Finished:
     """A run that has ended; its numbers are read when asked for."""
 
-    def __init__(self, directory, seconds, failure):
+    def __init__(self, directory, seconds, failure, versions=()):
         self.directory = Path(directory)
         self.seconds = seconds  # of one core's time, over all its parts
         self.failure = failure  # None, or the program's last words
+        self.versions = list(versions)  # of the program, over all its parts; empty: not noted then
 
     @cached_property
     def run(self):
@@ -92,26 +94,40 @@ def run_one(simulation, folder, program, threads=1):
     stamp = simulation.stamp()
     earlier = json.loads(stamp_file.read_text("utf-8")) if stamp_file.is_file() else {}
     same = earlier.get("stamp") == stamp
-    if same and earlier.get("ended") and (directory / "metrics.csv").is_file():
-        return Finished(directory, earlier["seconds"], earlier["failure"])
+    if same and earlier.get("ended") and is_result(earlier["failure"]) and (directory / "metrics.csv").is_file():
+        return Finished(directory, earlier["seconds"], earlier["failure"], earlier.get("versions", ()))
 
-    spent = earlier.get("seconds", 0.0) if same else 0.0
+    spent, versions = 0.0, []
     if same and any((directory / "checkpoints").glob("*.h5")):
+        spent, versions = earlier.get("seconds", 0.0), earlier.get("versions", [])
         command = [program, "resume", str(directory), "--threads", str(threads)]
     else:
-        spent = 0.0
         command = [program, "run", *simulation.arguments(), "-o", str(directory), "--overwrite", "--threads", str(threads)]
-    _write(stamp_file, {"stamp": stamp, "ended": False, "seconds": spent})
+    versions = list(dict.fromkeys([*versions, version_of(program)]))
+    kept = {"stamp": stamp, "versions": versions}
+    _write(stamp_file, {**kept, "ended": False, "seconds": spent})
     print(f"   {simulation.name}: starts", flush=True)
     status, _, words, seconds = run_timed(command)
     seconds += spent
-    if status in (2, 3) or status < 0:  # wrong input, or stopped from outside: no result
+    if status not in (0, 1):  # wrong input, stopped or killed from outside: no result
         print(words, file=sys.stderr)
         raise SystemExit(f"{simulation.name}: vesica ended with status {status}")
     failure = None if status == 0 else (words.strip().splitlines() or ["no reason given"])[-1]
-    _write(stamp_file, {"stamp": stamp, "ended": True, "seconds": seconds, "failure": failure})
+    _write(stamp_file, {**kept, "ended": is_result(failure), "seconds": seconds, "failure": failure})
     print(f"   {simulation.name}: {seconds:.0f} s{'' if failure is None else ': ' + failure}", flush=True)
-    return Finished(directory, seconds, failure)
+    return Finished(directory, seconds, failure, versions)
+
+
+def is_result(failure):
+    """Whether the end is one that the case has: a run that went wrong by its own physics goes wrong so again, while one
+    that lacked a disk's or a machine's room is to be done again."""
+    return failure is None or "the run failed at step " in failure
+
+
+def version_of(program):
+    """For information: a stamp is not compared by it, or every commit would throw hours of runs away."""
+    done = subprocess.run([program, "--version"], capture_output=True, text=True, check=False)
+    return (done.stdout.strip().splitlines() or ["unknown"])[0]
 
 
 def run_timed(command, **environment):
