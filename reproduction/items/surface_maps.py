@@ -44,8 +44,8 @@ def judge(item, finished):
     item.results.report("mean |area force|", "force per area", mean("area"))
     item.results.report("constant tension sigma over the whole tension", "what Fig 3E could show of sigma",
                         abs(sigma_of(run) / run.last("tension")))  # fmt: skip
-    item.explain("At rest the total normal force is the same everywhere, for it balances a pressure jump: panel D is flat, while bending and "
-                 "area force vary against each other. The paper's panels have no scale to compare with.")  # fmt: skip
+    item.explain(f"At rest the total normal force balances a pressure jump, so that it should be the same everywhere: in panel D it spreads by {100 * spread / mean('total'):.1f} % "
+                 "of its mean. The paper's panels have no scale to compare with.")  # fmt: skip
     item.csv("maps.csv", ("quantity", "least", "area mean of the modulus", "greatest"), [(n, float(v.min()), mean(n), float(v.max())) for n, v in maps.items()])  # fmt: skip
     item.picture("maps.png", _figure(surface, maps), "The six maps on phi = 0, in lattice units: speed, mean and Gaussian curvature, and the moduli of the total force, "
                  "bending plus constant tension, and the area constraint's force, per membrane area.")  # fmt: skip
